@@ -1,0 +1,52 @@
+#include "cases/app/assumptions.hpp"
+
+#include <fmt/format.h>
+
+#include "cases/app/scene_words.hpp"
+
+namespace velum::cases {
+
+double smagorinsky_constant(Scene const& scene, bool sealed)
+{
+  if (scene.les.model == LesModel::off) return 0;
+  if (scene.les.model == LesModel::auto_ && sealed) return 0;
+  return scene.les.constant;
+}
+
+core::Assumptions assumptions(Scene const& scene, Derived const& d, double smagorinsky)
+{
+  core::Assumptions a;
+  a["fidelity"] = word(scene.fidelity);
+  if (scene.fidelity != Fidelity::hydrostatic) {
+    a["time step"] = fmt::format("{:.4g} s, from Mach {:.3g} at {:.4g} m/s", d.units.dt, d.mach,
+                                 d.velocity);
+    a["compressibility"] =
+        fmt::format("the lattice fluid is {:.3g} % denser under {:.4g} kPa (sound speed {:.4g} m/s)",
+                    100 * d.density_jump, d.pressure / 1e3, d.sound_speed);
+    a["collision"] = fmt::format("{}, tau - 1/2 = {:.3g}, {} precision",
+                                 word(scene.lattice.collision), d.tau_minus_half,
+                                 word(scene.lattice.precision));
+    a["les"] = smagorinsky > 0 ? fmt::format("Smagorinsky, constant {:.3g}, everywhere", smagorinsky)
+                               : std::string("off");
+    a["gap"] = "resolved down to half a cell; below that a film that carries pressure and no flow";
+    a["axial symmetry"] = symmetry(scene) == core::Symmetry::axisymmetric
+                              ? "no swirl; eddies are rings, so LES is damping and no more"
+                              : "none: unit depth";
+  }
+  if (scene.membrane) {
+    auto const& m = scene.materials.at(scene.membrane->material);
+    a["membrane"] = "incompressible neo-Hookean, no bending stiffness";
+    a["damping"] = fmt::format(
+        "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the flat membrane, which has none "
+        "across: only stretching is damped",
+        m.damping_mass, m.damping_stiffness);
+    a["coupling"] = fmt::format("{}, {}", word(scene.coupling.method), word(scene.coupling.scheme));
+  }
+  if (scene.contact) {
+    a["contact"] = fmt::format("frictionless, {}", word(scene.contact->method));
+    a["pressure under the lip"] = word(scene.contact->lip_pressure);
+  }
+  return a;
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,53 @@
+#include "cases/app/commands.hpp"
+#include "cases/app/derived.hpp"
+#include "cases/app/preflight.hpp"
+#include "cases/app/scene.hpp"
+#include "cases/app/scene_words.hpp"
+#include "cases/app/speed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace velum::cases {
+namespace {
+
+void print_section(char const* title, std::vector<Row> const& rows)
+{
+  if (!rows.empty()) fmt::print("{}\n{}", title, table(rows));
+}
+
+std::ptrdiff_t count(std::vector<Row> const& rows, Verdict verdict)
+{
+  return std::count_if(rows.begin(), rows.end(),
+                       [&](Row const& row) { return row.verdict == verdict; });
+}
+
+}  // namespace
+
+void check_command(Options const& options)
+{
+  Scene const scene = read_scene(options.scene, options.set);
+  Derived const derived = derive(scene);
+  bool const marched = scene.fidelity != Fidelity::hydrostatic;
+
+  std::vector<Row> fluid, cost;
+  if (marched) {
+    fluid = fluid_rows(scene, derived);
+    cost = cost_rows(scene, derived, measured_mlups(scene, derived));
+  }
+  auto const membrane = membrane_rows(scene, derived);
+
+  fmt::print("{}: {}, {}\n", scene.file, scene.name, word(scene.fidelity));
+  print_section("fluid", fluid);
+  print_section("membrane and seat", membrane);
+  print_section("cost", cost);
+  fmt::print("fidelity that would do\n  {}\n", fidelity_advice(scene));
+
+  auto const total = [&](Verdict verdict) {
+    return count(fluid, verdict) + count(membrane, verdict) + count(cost, verdict);
+  };
+  fmt::print("{} red, {} to watch\n", total(Verdict::red), total(Verdict::warn));
+}
+
+}  // namespace velum::cases

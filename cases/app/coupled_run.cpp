@@ -1,0 +1,170 @@
+#include "cases/app/coupled_run.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "cases/app/assumptions.hpp"
+#include "cases/app/certificate.hpp"
+#include "cases/app/dump.hpp"
+#include "cases/app/progress.hpp"
+#include "cases/app/stop.hpp"
+#include "core/output/series.hpp"
+
+namespace velum::cases {
+
+namespace {
+
+constexpr long guard_every = 200;     // steps
+constexpr int samples_per_run = 400;  // rows of series.csv
+constexpr double window_share = 0.5;  // of the settling stage: over which leaks are averaged
+
+std::vector<core::Column> columns()
+{
+  return {{"pressure_above", "Pa"},   {"pressure_outside", "Pa"}, {"pressure_inside", "Pa"},
+          {"centre", "m"},            {"penetration", "m"},       {"seat_force", "N"},
+          {"outflow", "m3"},          {"inflow", "m3"},           {"leak_through_seat", "m3"},
+          {"leak_through_membrane", "m3"}, {"volume_inside", "m3"}, {"speed_max", "m/s"},
+          {"sealed", "1"}};
+}
+
+std::vector<double> row(Measurement const& m)
+{
+  return {m.pressure_above, m.pressure_outside, m.pressure_inside, m.centre, m.penetration,
+          m.seat_force, m.outflow, m.inflow, m.through_seat, m.through_membrane, m.volume_inside,
+          m.speed_max, m.sealed ? 1.0 : 0.0};
+}
+
+double jump(Measurement const& m)
+{
+  return std::min(m.pressure_above, m.pressure_outside) - m.pressure_inside;
+}
+
+/// Files that grow while a run marches.
+struct Output {
+  core::FieldsFile fields;
+  core::Series series;
+  double next_dump = 0;
+};
+
+template <class Real, template <class> class Body>
+void record(Output& out, CoupledScene<Real, Body> const& s, Measurement const& m,
+            double output_every)
+{
+  core::append(out.series, m.time, row(m));
+  if (m.time + 1e-12 < out.next_dump) return;
+  core::write_fields(out.fields, m.time, fluid_fields(s.state.fluid, s.derived.units),
+                     membrane_curves(s));
+  while (out.next_dump <= m.time + 1e-12) out.next_dump += output_every;
+}
+
+template <class Real, template <class> class Body>
+Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScene const& start,
+                  double smagorinsky)
+{
+  auto const clock_start = std::chrono::steady_clock::now();
+  auto s = make_coupled_scene<Real, Body>(scene, start, smagorinsky);
+  Derived const& d = s.derived;
+  double const dt = d.units.dt;
+  long const settle = std::lround(scene.run.settle / dt), total = std::lround(scene.run.end / dt);
+  long const sample = std::max<long>(1, total / samples_per_run);
+  long const window = std::lround(double(settle) * (1 - window_share));
+  Output out{core::create_fields(options.out, d.grid, assumptions(scene, d, smagorinsky)),
+             core::start_series(options.out / "series.csv", columns()), 0};
+  ProgressLine progress(options.quiet);
+  Flows flows;
+
+  Certificate c;
+  c.inlet = inlet_pressure(scene, scene.run.settle);
+  c.outlet = outlet_pressure(scene, scene.run.settle);
+  c.centre_start = core::to_si_length(d.units, start.membrane.reference[0]);
+  c.centre_hydrostatic = core::to_si_length(d.units, start.membrane.position[0]);
+  c.has_shut = total > settle;
+  c.least_jump_shut = c.inlet - c.outlet;
+  auto const elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - clock_start).count();
+  };
+  double const cells = double(lbm::observe(s.state.fluid).cells);
+
+  Measurement now = measure(s, flows, 0);
+  record(out, s, now, scene.run.output_every);
+  c.window_begin = c.settled = now;
+  bool stopped = false;
+  for (long n = 1; n <= total && !stopped; ++n) {
+    set_targets(s, scene, double(n) * dt, n > settle);
+    ibm::step(s.state);
+    add_flows(flows, s);
+    if (n % guard_every == 0 || n == total) {
+      lbm::Observation const seen = lbm::observe(s.state.fluid);
+      guard(s, seen, n);
+      c.mach_max = std::max(c.mach_max, seen.speed_max * std::numbers::sqrt3);
+      c.speed_max = std::max(c.speed_max, core::to_si_velocity(d.units, seen.speed_max));
+      double const mlups = double(n) * cells / elapsed() / 1e6;
+      progress.show({.time = double(n) * dt,
+                     .end = double(total) * dt,
+                     .mlups = mlups,
+                     .mach = c.mach_max,
+                     .coupling = fmt::format("{} links, {} sub-steps",
+                                             s.state.body.exchange.link_count,
+                                             s.state.substeps)});
+      stopped = stop_requested();
+    }
+    if (n % sample == 0 || n == total || n == settle || n == window || stopped) {
+      now = measure(s, flows, double(n) * dt);
+      record(out, s, now, scene.run.output_every);
+      if (n <= window) c.window_begin = now;
+      if (n <= settle) c.settled = now;
+      if (n > settle) c.least_jump_shut = std::min(c.least_jump_shut, jump(now));
+      c.penetration_max = std::max(c.penetration_max, now.penetration);
+    }
+  }
+  progress.finish();
+  c.shut = now;
+  if (smagorinsky > 0) {
+    auto const eddy = lbm::eddy_viscosity(s.state.fluid);
+    c.eddy_mean = core::to_si_kinematic_viscosity(d.units, eddy.mean);
+    c.eddy_max = core::to_si_kinematic_viscosity(d.units, eddy.max);
+  }
+  c.wall_time = elapsed();
+  c.mlups = double(total) * cells / c.wall_time / 1e6;
+  core::write_summary(options.out / "summary.json", {figures(c), assumptions(scene, d, smagorinsky)});
+  if (stopped)
+    throw Stopped(fmt::format("Stopped by a signal at t = {:.4g} s; the results until then are in {}.",
+                              now.time, options.out.string()));
+  return c;
+}
+
+template <class Real>
+Certificate march_with(Scene const& scene, RunOptions const& options, HydrostaticScene const& start,
+                       double smagorinsky)
+{
+  return scene.coupling.method == CouplingMethod::sharp
+             ? march<Real, ibm::Sharp>(scene, options, start, smagorinsky)
+             : march<Real, ibm::Diffuse>(scene, options, start, smagorinsky);
+}
+
+}  // namespace
+
+void run_coupled(Scene const& scene, RunOptions const& options)
+{
+  Derived const d = derive(scene);
+  HydrostaticScene start = make_membrane_scene(scene, d);
+  if (start.seat) find_equilibrium(start, scene, d);
+  double const smagorinsky = smagorinsky_constant(scene, start.seat != nullptr);
+  for (auto const& [name, sentence] : assumptions(scene, d, smagorinsky))
+    spdlog::info("{}: {}", name, sentence);
+  if (start.seat)
+    spdlog::info("starts from the hydrostatic state: centre {:.4f} mm below the flat membrane",
+                 1e3 * core::to_si_length(d.units, start.membrane.reference[0] -
+                                                       start.membrane.position[0]));
+  Certificate const c = scene.lattice.precision == Precision::double_
+                            ? march_with<double>(scene, options, start, smagorinsky)
+                            : march_with<float>(scene, options, start, smagorinsky);
+  spdlog::info("{}", certificate_text(c));
+  spdlog::info("results: {}", (options.out / "run.xmf").string());
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,144 @@
+#include "cases/app/coupled_scene.hpp"
+
+#include "ibm/sharp.hpp"
+
+namespace velum::cases {
+
+namespace {
+
+template <class Real>
+auto make_body(std::type_identity<ibm::Sharp<Real>>, LatticeScene<Real>& l,
+               structure::Membrane const& membrane, double divide)
+{
+  return ibm::make_sharp(l.fluid, l.walls, l.wall_hits, membrane, divide);
+}
+
+template <class Real>
+auto make_body(std::type_identity<ibm::Diffuse<Real>>, LatticeScene<Real>& l,
+               structure::Membrane const& membrane, double divide)
+{
+  return ibm::make_diffuse(l.fluid, l.walls, l.wall_hits, membrane, divide);
+}
+
+/// Pressure of the first opening that faces each zone, lattice units.
+template <class Real, template <class> class Body>
+void fill_at_rest(CoupledScene<Real, Body>& s, std::vector<PatchOpening> const& openings)
+{
+  auto& fluid = s.state.fluid;
+  auto const active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fluid.active);
+  double pressure[4] = {};
+  bool known[4] = {};
+  for (std::size_t k = 0; k < openings.size(); ++k) {
+    auto const kind = openings[k].opening.kind;
+    if (kind == lbm::OpeningKind::velocity || kind == lbm::OpeningKind::flow_rate) continue;
+    lbm::Link const& l = openings[k].links.front();
+    auto const z = static_cast<int>(s.zone(active(l.j + 1, l.i + 1), l.j));
+    if (!known[z]) pressure[z] = s.state.targets[k];
+    known[z] = true;
+  }
+  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("rest", fluid.ny, fluid.nx);
+  for (int j = 0; j < fluid.ny; ++j)
+    for (int i = 0; i < fluid.nx; ++i) {
+      auto const z = static_cast<int>(s.zone(active(j + 1, i + 1), j));
+      state(j, i) = {3 * pressure[z], 0, 0};
+    }
+  lbm::set_equilibrium(fluid, state);
+}
+
+}  // namespace
+
+template <class Real, template <class> class Body>
+CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene const& hydrostatic,
+                                            double smagorinsky)
+{
+  auto lattice = make_lattice_scene<Real>(scene, smagorinsky);
+  CoupledScene<Real, Body> s;
+  s.derived = lattice.derived;
+  if (contact::touches(hydrostatic.report.patch)) {
+    auto const& patch = hydrostatic.report.patch;
+    double const middle = (patch.begin + patch.end) / 2;
+    int const a = std::min(static_cast<int>(middle),
+                           structure::node_count(hydrostatic.membrane) - 2);
+    double const y0 = hydrostatic.membrane.position[2 * a + 1];
+    double const y1 = hydrostatic.membrane.position[2 * a + 3];
+    s.divide = y0 + (middle - a) * (y1 - y0);
+  }
+  auto& state = s.state;
+  state.membrane = hydrostatic.membrane;
+  state.body = make_body(std::type_identity<Body<Real>>{}, lattice, state.membrane, s.divide);
+  state.fluid = lattice.fluid;
+  state.loads = hydrostatic.loads;
+  state.seat = hydrostatic.seat;
+  if (state.seat) state.loads.push_back(ibm::contact_load(state.seat));
+  state.walls = lattice.solids;
+  state.pressure.lip = hydrostatic.load.lip;
+  state.substeps = hydrostatic.substeps;
+  state.scheme = scene.coupling.scheme == CouplingScheme::implicit ? ibm::Scheme::implicit
+                                                                    : ibm::Scheme::explicit_;
+  auto const& material = scene.materials.at(scene.membrane->material);
+  state.stepper = structure::explicit_stepper(
+      state.membrane,
+      {core::to_lattice_frequency(s.derived.units, material.damping_mass),
+       core::to_lattice_time(s.derived.units, material.damping_stiffness)});
+  for (PatchOpening const& o : lattice.openings) {
+    state.openings.push_back(o.opening);
+    s.boundary.push_back(o.boundary);
+  }
+  set_targets(s, scene, 0, false);
+  // the state at rest carries the targets already: the controls have nothing to correct yet
+  for (std::size_t k = 0; k < state.openings.size(); ++k)
+    state.openings[k].traction = state.openings[k].pressure = s.state.targets[k];
+  fill_at_rest(s, lattice.openings);
+  return s;
+}
+
+template <class Real, template <class> class Body>
+void set_targets(CoupledScene<Real, Body>& s, Scene const& scene, double time, bool shut)
+{
+  s.state.targets.resize(s.state.openings.size());
+  for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
+    Boundary const& boundary = *find_boundary(scene, s.boundary[k]);
+    s.state.targets[k] = lattice_target(scene, s.derived, boundary, time);
+    if (shut && boundary.name == "inlet") {
+      s.state.openings[k].kind = lbm::OpeningKind::velocity;
+      s.state.targets[k] = 0;
+    }
+  }
+}
+
+template <class Real, template <class> class Body>
+double mean_pressure(CoupledScene<Real, Body> const& s, Zone zone)
+{
+  auto const& fluid = s.state.fluid;
+  auto const cells = lbm::cell_states(fluid);
+  auto const active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fluid.active);
+  double sum = 0, weight = 0;
+  for (int j = 0; j < fluid.ny; ++j) {
+    double const ring = core::ring(fluid.symmetry, fluid.origin[1] + j + 0.5);
+    for (int i = 0; i < fluid.nx; ++i)
+      if (s.zone(active(j + 1, i + 1), j) == zone) {
+        sum += ring * cells(j, i).rho / 3;
+        weight += ring;
+      }
+  }
+  return weight > 0 ? sum / weight : 0;
+}
+
+template CoupledScene<float, ibm::Sharp> make_coupled_scene(Scene const&, HydrostaticScene const&,
+                                                        double);
+template void set_targets(CoupledScene<float, ibm::Sharp>&, Scene const&, double, bool);
+template double mean_pressure(CoupledScene<float, ibm::Sharp> const&, Zone);
+template CoupledScene<float, ibm::Diffuse> make_coupled_scene(Scene const&, HydrostaticScene const&,
+                                                        double);
+template void set_targets(CoupledScene<float, ibm::Diffuse>&, Scene const&, double, bool);
+template double mean_pressure(CoupledScene<float, ibm::Diffuse> const&, Zone);
+template CoupledScene<double, ibm::Sharp> make_coupled_scene(Scene const&, HydrostaticScene const&,
+                                                        double);
+template void set_targets(CoupledScene<double, ibm::Sharp>&, Scene const&, double, bool);
+template double mean_pressure(CoupledScene<double, ibm::Sharp> const&, Zone);
+template CoupledScene<double, ibm::Diffuse> make_coupled_scene(Scene const&, HydrostaticScene const&,
+                                                        double);
+template void set_targets(CoupledScene<double, ibm::Diffuse>&, Scene const&, double, bool);
+template double mean_pressure(CoupledScene<double, ibm::Diffuse> const&, Zone);
+
+}  // namespace velum::cases

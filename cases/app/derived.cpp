@@ -1,0 +1,142 @@
+#include "cases/app/derived.hpp"
+
+#include "cases/app/geometry.hpp"
+#include "structure/mass.hpp"
+#include "structure/stable_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace velum::cases {
+namespace {
+
+bool has_pressure(Boundary const& boundary)
+{
+  return boundary.kind == BoundaryKind::traction || boundary.kind == BoundaryKind::pressure ||
+         boundary.kind == BoundaryKind::outflow;
+}
+
+double largest_pressure(Scene const& scene)
+{
+  double pressure = 0;
+  for (auto const& boundary : scene.boundaries)
+    if (has_pressure(boundary)) pressure = std::max(pressure, largest_magnitude(boundary.value));
+  return pressure;
+}
+
+/// Area of a boundary's patches; a patch on a solid counts as if it faced the axis direction.
+double area(Scene const& scene, Boundary const& boundary)
+{
+  double sum = 0;
+  for (auto const& patch : boundary.patches) {
+    double const width = patch.to - patch.from;
+    auto const side = box_side(patch.side);
+    double const radius = side && side->axis == 1
+                              ? (side->upper ? scene.lattice.to[1] : scene.lattice.from[1])
+                              : 0.5 * (patch.from + patch.to);
+    sum += core::ring(symmetry(scene), radius) * width;
+  }
+  return sum;
+}
+
+double largest_slope(Curve const& curve)
+{
+  double slope = 0;
+  for (std::size_t k = 1; k < curve.at.size(); ++k)
+    slope = std::max(
+        slope, std::abs((curve.value[k] - curve.value[k - 1]) / (curve.at[k] - curve.at[k - 1])));
+  return slope;
+}
+
+int cells_across(Lattice const& lattice, int axis)
+{
+  return static_cast<int>(std::ceil((lattice.to[axis] - lattice.from[axis]) / lattice.dx - 1e-6));
+}
+
+double smallest_thickness(MembraneSheet const& membrane)
+{
+  double least = std::min(value_at(membrane.thickness, membrane.from),
+                          value_at(membrane.thickness, membrane.to));
+  for (std::size_t k = 0; k < membrane.thickness.at.size(); ++k)
+    if (membrane.thickness.at[k] > membrane.from && membrane.thickness.at[k] < membrane.to)
+      least = std::min(least, membrane.thickness.value[k]);
+  return least;
+}
+
+void derive_membrane(Scene const& scene, Derived& d)
+{
+  auto const& sheet = *scene.membrane;
+  auto const& material = scene.materials.at(sheet.material);
+  d.thickness = smallest_thickness(sheet);
+  d.mass_ratio = material.density * d.thickness / (scene.fluid.density * scene.lattice.dx);
+  auto const membrane = make_membrane(scene);
+  d.structure_step =
+      structure::stable_step(membrane, structure::lumped_mass(membrane), membrane.reference);
+  d.sub_steps = structure::substeps_for(d.units.dt, d.structure_step);
+  // The undamped limit is 2 / omega, so omega^2 = 4 / step^2.
+  if (material.damping_stiffness > 0)
+    d.damping_step = d.structure_step * d.structure_step / (2 * material.damping_stiffness);
+}
+
+}  // namespace
+
+double reference_velocity(Scene const& scene)
+{
+  double velocity = std::sqrt(2 * largest_pressure(scene) / scene.fluid.density);
+  for (auto const& boundary : scene.boundaries) {
+    double const largest = largest_magnitude(boundary.value);
+    if (boundary.kind == BoundaryKind::velocity) velocity = std::max(velocity, largest);
+    if (boundary.kind == BoundaryKind::flow_rate)
+      velocity = std::max(velocity, largest / area(scene, boundary));
+  }
+  if (scene.membrane && scene.membrane->motion)
+    velocity = std::max(velocity, largest_slope(*scene.membrane->motion));
+  return velocity;
+}
+
+structure::Membrane make_membrane(Scene const& scene)
+{
+  auto const& sheet = *scene.membrane;
+  auto const& material = scene.materials.at(sheet.material);
+  return structure::flat_membrane(
+      {.symmetry = symmetry(scene),
+       .from = sheet.from,
+       .to = sheet.to,
+       .element_size = sheet.element,
+       .thickness = [thickness = sheet.thickness](double y) { return value_at(thickness, y); },
+       .shear_modulus = material.shear_modulus,
+       .density = material.density,
+       .axial = sheet.position});
+}
+
+Derived derive(Scene const& scene)
+{
+  auto const& lattice = scene.lattice;
+  auto const& fluid = scene.fluid;
+  Derived d{};
+  d.pressure = largest_pressure(scene);
+  d.velocity = reference_velocity(scene);
+  if (d.velocity == 0 && !lattice.time_step) d.velocity = std::sqrt(2 * 1e3 / fluid.density);
+
+  double const lattice_velocity = lattice.mach / std::numbers::sqrt3;
+  double const dt = lattice.time_step.value_or(lattice_velocity * lattice.dx / d.velocity);
+  d.units = {.dx = lattice.dx, .dt = dt, .rho = fluid.density};
+  d.grid = {.nx = cells_across(lattice, 0),
+            .ny = cells_across(lattice, 1),
+            .dx = lattice.dx,
+            .origin = lattice.from + lattice.shift,
+            .symmetry = symmetry(scene)};
+  d.sound_speed = lattice.dx / (dt * std::numbers::sqrt3);
+  d.mach = d.velocity / d.sound_speed;
+  d.viscosity = core::to_lattice_kinematic_viscosity(d.units, fluid.viscosity);
+  d.tau_minus_half = 3 * d.viscosity;
+  d.cell_reynolds = d.velocity * lattice.dx / fluid.viscosity;
+  d.density_jump = d.pressure / (fluid.density * d.sound_speed * d.sound_speed);
+  d.acoustic_transit = std::max(d.grid.nx, d.grid.ny) * lattice.dx / d.sound_speed;
+  d.steps = static_cast<std::int64_t>(std::ceil(scene.run.end / dt - 1e-9));
+  if (scene.membrane) derive_membrane(scene, d);
+  return d;
+}
+
+}  // namespace velum::cases

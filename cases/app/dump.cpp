@@ -1,0 +1,64 @@
+#include "cases/app/dump.hpp"
+
+namespace velum::cases {
+
+template <class Real>
+std::vector<core::Field> fluid_fields(lbm::Fluid<Real> const& fluid, core::Units const& units)
+{
+  auto const cells = lbm::cell_states(fluid);
+  auto const active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fluid.active);
+  std::vector<float> pressure, density;
+  std::vector<core::Vec2> velocity;
+  std::vector<std::int32_t> side;
+  for (int j = 0; j < fluid.ny; ++j)
+    for (int i = 0; i < fluid.nx; ++i) {
+      auto const& c = cells(j, i);
+      pressure.push_back(float(core::to_si_pressure(units, c.rho / 3)));
+      density.push_back(float(core::to_si_density(units, 1 + c.rho)));
+      velocity.push_back({core::to_si_velocity(units, c.ux), core::to_si_velocity(units, c.uy)});
+      side.push_back(active(j + 1, i + 1));
+    }
+  return {{"pressure", "Pa", 1, pressure},
+          {"density", "kg/m3", 1, density},
+          core::vector_field("velocity", "m/s", velocity),
+          {"side", "1", 1, side}};
+}
+
+template <class Real, template <class> class Body>
+std::vector<core::Curve> membrane_curves(CoupledScene<Real, Body> const& s)
+{
+  auto const& units = s.derived.units;
+  auto const& membrane = s.state.membrane;
+  auto const& faces = s.state.body.surface.faces;
+  auto const metres = [&](std::vector<core::Vec2> points) {
+    for (auto& p : points) p = units.dx * p;
+    return points;
+  };
+  std::vector<core::Vec2> middle, velocity;
+  std::vector<double> thickness;
+  for (int a = 0; a < structure::node_count(membrane); ++a) {
+    middle.push_back(structure::node(membrane.position, a));
+    velocity.push_back((units.dx / units.dt) * structure::node(membrane.velocity, a));
+    thickness.push_back(units.dx * faces.thickness[static_cast<std::size_t>(a)]);
+  }
+  auto const face_pressure = [&](int side) {
+    std::vector<double> p = s.state.pressure.p[side];
+    p.resize(middle.size(), 0);
+    for (double& value : p) value = core::to_si_pressure(units, value);
+    return core::Field{"pressure", "Pa", 1, p};
+  };
+  return {{"membrane",
+           metres(middle),
+           {core::vector_field("velocity", "m/s", velocity), {"thickness", "m", 1, thickness}}},
+          {"plus_face", metres(faces.plus), {face_pressure(0)}},
+          {"minus_face", metres(faces.minus), {face_pressure(1)}}};
+}
+
+template std::vector<core::Field> fluid_fields(lbm::Fluid<float> const&, core::Units const&);
+template std::vector<core::Field> fluid_fields(lbm::Fluid<double> const&, core::Units const&);
+template std::vector<core::Curve> membrane_curves(CoupledScene<float, ibm::Sharp> const&);
+template std::vector<core::Curve> membrane_curves(CoupledScene<double, ibm::Sharp> const&);
+template std::vector<core::Curve> membrane_curves(CoupledScene<float, ibm::Diffuse> const&);
+template std::vector<core::Curve> membrane_curves(CoupledScene<double, ibm::Diffuse> const&);
+
+}  // namespace velum::cases

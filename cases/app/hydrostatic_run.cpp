@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+
+#include "cases/app/assumptions.hpp"
+#include "cases/app/hydrostatic_scene.hpp"
+#include "core/output/series.hpp"
+#include "structure/faces.hpp"
+
+namespace velum::cases {
+
+void run_hydrostatic(Scene const& scene, std::filesystem::path const& out)
+{
+  auto const start = std::chrono::steady_clock::now();
+  Derived const d = derive(scene);
+  HydrostaticScene s = make_membrane_scene(scene, d);
+  find_equilibrium(s, scene, d);
+  double const dx = d.units.dx;
+  double const wall_time =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  structure::Faces faces;
+  structure::locate_faces(s.membrane, s.membrane.position, 1.0, faces);
+  auto profile = core::start_series(out / "profile.csv", {{"radius", "m"},
+                                                          {"axial", "m"},
+                                                          {"minus_face_radius", "m"},
+                                                          {"minus_face_axial", "m"},
+                                                          {"thickness", "m"}});
+  for (std::size_t a = 0; a < faces.minus.size(); ++a) {
+    auto const x = structure::node(s.membrane.position, static_cast<int>(a));
+    core::append(profile, 0,
+                 {dx * x[1], dx * x[0], dx * faces.minus[a][1], dx * faces.minus[a][0],
+                  dx * faces.thickness[a]});
+  }
+  double const deflection = dx * (s.membrane.reference[0] - s.membrane.position[0]);
+  double const force = core::to_si_force(d.units, symmetry(scene), s.report.patch.force);
+  double const penetration = dx * s.report.patch.penetration;
+  core::Summary summary{{{"centre_deflection_hydrostatic", deflection, "m"},
+                         {"seat_force", force, "N"},
+                         {"penetration", penetration, "m"},
+                         {"iterations", double(s.report.iterations), "1"},
+                         {"wall_time", wall_time, "s"}},
+                        assumptions(scene, d, 0)};
+  core::write_summary(out / "summary.json", summary);
+  for (auto const& [name, sentence] : summary.assumptions) spdlog::info("{}: {}", name, sentence);
+  spdlog::info(
+      "Equilibrium at {:.4g} kPa: centre deflection {:.4f} mm, seat force {:.4g} N, penetration "
+      "{:.3g} um, {} linear solves in {:.2f} s",
+      inlet_pressure(scene, 0) / 1e3, 1e3 * deflection, force, 1e6 * penetration,
+      s.report.iterations, wall_time);
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,92 @@
+#include "cases/app/hydrostatic_scene.hpp"
+
+#include "cases/app/geometry.hpp"
+#include "contact/penalty.hpp"
+#include "structure/mass.hpp"
+#include "structure/spring.hpp"
+#include "structure/stable_step.hpp"
+
+namespace velum::cases {
+
+namespace {
+
+double pressure_of(Scene const& scene, std::string const& name, double time)
+{
+  Boundary const* boundary = find_boundary(scene, name);
+  bool const has_pressure = boundary && (boundary->kind == BoundaryKind::traction ||
+                                         boundary->kind == BoundaryKind::pressure ||
+                                         boundary->kind == BoundaryKind::outflow);
+  return has_pressure ? value_at(boundary->value, time) : 0;
+}
+
+structure::Membrane lattice_membrane(Scene const& scene, Derived const& d)
+{
+  auto const& sheet = *scene.membrane;
+  auto const& material = scene.materials.at(sheet.material);
+  double const dx = d.units.dx;
+  return structure::flat_membrane(
+      {.symmetry = symmetry(scene),
+       .from = sheet.from / dx,
+       .to = sheet.to / dx,
+       .element_size = sheet.element / dx,
+       .thickness = [thickness = sheet.thickness, dx](double y) {
+         return value_at(thickness, y * dx) / dx;
+       },
+       .shear_modulus = core::to_lattice_pressure(d.units, material.shear_modulus),
+       .density = core::to_lattice_density(d.units, material.density),
+       .axial = sheet.position / dx});
+}
+
+}  // namespace
+
+double inlet_pressure(Scene const& scene, double time) { return pressure_of(scene, "inlet", time); }
+double outlet_pressure(Scene const& scene, double time)
+{
+  return pressure_of(scene, "outlet", time);
+}
+
+HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
+{
+  HydrostaticScene s{lattice_membrane(scene, d), {}, {}, 1, {}, {}};
+  auto const& sheet = *scene.membrane;
+  double const dx = d.units.dx;
+  if (sheet.spring) {
+    auto const& spring = *sheet.spring;
+    s.loads.push_back(structure::spring_load(
+        s.membrane,
+        {core::to_lattice_stiffness(d.units, symmetry(scene), spring.stiffness),
+         spring.free_length / dx, spring.installed_length / dx, spring.radius / dx}));
+  }
+  Eigen::VectorXd const mass = structure::lumped_mass(s.membrane);
+  Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(mass.size());
+  if (scene.contact) {
+    Eigen::VectorXd const area = structure::nodal_area(s.membrane);
+    // per length and area: pressure / dx
+    double const k = scene.contact->stiffness
+                         ? core::to_lattice_pressure(d.units, *scene.contact->stiffness * dx)
+                         : contact::stable_stiffness((mass.array() / area.array()).minCoeff(), 1);
+    stiffness = k * area;
+    s.seat = std::make_shared<ibm::SeatContact>(ibm::make_seat_contact(
+        core::transformed(solid(scene, scene.contact->seat), 1 / dx, {0, 0}), k, s.membrane));
+  }
+  double const stable = structure::stable_step(s.membrane, mass, s.membrane.reference, stiffness);
+  s.substeps = structure::substeps_for(1.0, stable);
+  return s;
+}
+
+void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& d)
+{
+  if (!s.seat)
+    reject(scene, "contact", "is needed for a hydrostatic state: it is the seat that parts regions");
+  bool const augment = scene.contact->method == ContactMethod::augmented_lagrangian;
+  s.load.lip = scene.contact->lip_pressure == LipPressure::none ? contact::LipPressure::none
+                                                                : contact::LipPressure::linear;
+  ibm::hydrostatic_equilibrium(s.membrane, s.seat, s.loads, s.load, augment);
+  if (!contact::touches(contact::contact_patch(s.seat->contact, s.seat->markers)))
+    reject(scene, "membrane", "does not reach its seat under the spring alone: nothing is sealed");
+  s.load.above = s.load.outside = core::to_lattice_pressure(d.units, inlet_pressure(scene, 0));
+  s.load.inside = core::to_lattice_pressure(d.units, outlet_pressure(scene, 0));
+  s.report = ibm::hydrostatic_equilibrium(s.membrane, s.seat, s.loads, s.load, augment);
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "cases/app/derived.hpp"
+#include "cases/app/scene.hpp"
+#include "ibm/hydrostatic.hpp"
+
+namespace velum::cases {
+
+/// Membrane, spring and seat of a scene in static equilibrium with fluid at rest. Lattice units.
+struct HydrostaticScene {
+  structure::Membrane membrane;
+  std::vector<structure::Load> loads;      // the spring
+  std::shared_ptr<ibm::SeatContact> seat;  // empty without a contact
+  int substeps = 1;                        // of an explicit step of the lattice's length
+  ibm::HydrostaticLoad load;               // the region pressures
+  ibm::HydrostaticReport report;
+};
+
+/// Membrane, spring and contact, undeformed. The penalty is the scene's, or as stiff as sub-steps of
+/// the lattice's step stay stable with.
+HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& derived);
+
+/// Closes the membrane by its spring at zero pressure, then applies the pressures at time 0: the
+/// inlet's above and outside the seat, the outlet's inside.
+/// Throws core::InputError where the membrane does not reach its seat: then no region is sealed and
+/// fluid at rest has no answer.
+void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& derived);
+
+/// Pressure of the inlet and of the outlet at a time, Pa; 0 where the scene has none.
+double inlet_pressure(Scene const& scene, double time);
+double outlet_pressure(Scene const& scene, double time);
+
+/// The hydrostatic fidelity: equilibrium alone, written as a result.
+void run_hydrostatic(Scene const& scene, std::filesystem::path const& out);
+
+}  // namespace velum::cases

@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cases/app/derived.hpp"
+#include "cases/app/scene.hpp"
+#include "lbm/opening.hpp"
+#include "lbm/walls.hpp"
+
+namespace velum::cases {
+
+/// One patch of a boundary on the lattice.
+struct PatchOpening {
+  std::string boundary;
+  lbm::Opening opening;
+  std::vector<lbm::Link> links;
+};
+
+/// The fluid of a scene with its rigid surroundings, lattice units: lengths are metres / dx.
+template <class Real>
+struct LatticeScene {
+  Derived derived;
+  lbm::Fluid<Real> fluid;
+  core::Obstacle solids;
+  lbm::Walls walls;
+  std::vector<lbm::WallHit> wall_hits;  // those that no opening took
+  std::vector<PatchOpening> openings;
+};
+
+/// Builds fluid, walls and openings.
+/// @param smagorinsky  constant, 0 for off
+/// Throws core::InputError where a patch takes no link of the lattice.
+template <class Real>
+LatticeScene<Real> make_lattice_scene(Scene const& scene, double smagorinsky);
+
+/// What a boundary imposes at a time, in the units of lbm::apply: velocity, volume per step, or
+/// pressure, lattice.
+double lattice_target(Scene const& scene, Derived const& derived, Boundary const& boundary,
+                      double time);
+
+}  // namespace velum::cases

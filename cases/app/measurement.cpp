@@ -1,0 +1,133 @@
+#include "cases/app/measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/check.hpp"
+
+namespace velum::cases {
+
+namespace {
+
+/// Volume between x = 0 and the minus face, within the radius `divide`.
+double volume_under(std::vector<core::Vec2> const& face, core::Symmetry symmetry, double divide)
+{
+  double volume = 0;
+  for (std::size_t a = 0; a + 1 < face.size() && face[a][1] < divide; ++a) {
+    core::Vec2 const p = face[a];
+    core::Vec2 q = face[a + 1];
+    if (q[1] > divide) q = p + ((divide - p[1]) / (q[1] - p[1])) * (q - p);
+    double const dy = q[1] - p[1];
+    volume += symmetry == core::Symmetry::planar
+                  ? dy * (p[0] + q[0]) / 2
+                  : std::numbers::pi * dy *
+                        (p[0] * (2 * p[1] + q[1]) + q[0] * (p[1] + 2 * q[1])) / 3;
+  }
+  return volume;
+}
+
+/// The constant part of the volume: from the lattice's lower end to x = 0, solids left out.
+template <class Real>
+double cells_below_zero(lbm::Fluid<Real> const& fluid, core::Obstacle const& solids, double divide)
+{
+  double volume = 0;
+  for (int j = 0; j < fluid.ny && fluid.origin[1] + j + 0.5 < divide; ++j) {
+    double const y = fluid.origin[1] + j + 0.5;
+    for (int i = 0; i < fluid.nx; ++i) {
+      double const x = fluid.origin[0] + i + 0.5;
+      if (x < 0 && core::distance(solids, {x, y}) > 0) volume += core::ring(fluid.symmetry, y);
+    }
+  }
+  return volume;
+}
+
+}  // namespace
+
+template <class Real, template <class> class Body>
+void add_flows(Flows& flows, CoupledScene<Real, Body> const& s)
+{
+  for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
+    double const in = s.state.openings[k].mass_flow;
+    if (s.boundary[k] == "inlet") flows.in += in;
+    if (s.boundary[k] == "outlet") flows.out -= in;
+  }
+}
+
+template <class Real, template <class> class Body>
+Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, double time)
+{
+  auto const& units = s.derived.units;
+  auto const& fluid = s.state.fluid;
+  auto const symmetry = fluid.symmetry;
+  auto const pressure = [&](Zone z) { return core::to_si_pressure(units, mean_pressure(s, z)); };
+  auto const volume = [&](double v) { return core::to_si_volume(units, symmetry, v); };
+  Measurement m;
+  m.time = time;
+  m.pressure_above = pressure(Zone::above);
+  m.pressure_outside = pressure(Zone::outside);
+  m.pressure_inside = pressure(Zone::inside);
+  double const inside = cells_below_zero(fluid, s.state.walls, s.divide) +
+                        volume_under(s.state.body.surface.faces.minus, symmetry, s.divide);
+  m.volume_inside = volume(inside);
+  m.mass_inside = volume(inside * (1 + 3 * mean_pressure(s, Zone::inside)));
+  m.centre = core::to_si_length(units, s.state.membrane.position[0]);
+  if (s.state.seat) {
+    auto const patch = contact::contact_patch(s.state.seat->contact, s.state.seat->markers);
+    m.penetration = core::to_si_length(units, patch.penetration);
+    m.seat_force = core::to_si_force(units, symmetry, patch.force);
+  }
+  lbm::Observation const seen = lbm::observe(fluid);
+  m.speed_max = core::to_si_velocity(units, seen.speed_max);
+  m.density_error = std::max(std::abs(seen.rho_min), std::abs(seen.rho_max));
+  m.outflow = volume(flows.out);
+  m.inflow = volume(flows.in);
+  m.through_seat = volume(s.state.ledger.seat);
+  m.through_membrane = volume(s.state.ledger.membrane_down);
+  m.sealed = is_sealed(s);
+  return m;
+}
+
+template <class Real, template <class> class Body>
+void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long step)
+{
+  bool const lost = seen.not_finite > 0;
+  double const mach = seen.speed_max * std::numbers::sqrt3;
+  double const density = std::max(std::abs(seen.rho_min), std::abs(seen.rho_max));
+  if (!lost && mach < 1 && density < 0.5) return;
+  auto const& f = s.state.fluid;
+  core::Vec2 const at = s.derived.units.dx *
+                        (f.origin + core::Vec2{seen.worst_i + 0.5, seen.worst_j + 0.5});
+  std::string const what =
+      lost ? fmt::format("the fluid is no longer finite in {} cells", seen.not_finite)
+      : mach >= 1 ? fmt::format("the fluid moves at Mach {:.2f}", mach)
+                  : fmt::format("the density is off by {:.0f} %", 100 * density);
+  std::string const cause =
+      s.state.scheme == ibm::Scheme::explicit_
+          ? "coupling.scheme = \"explicit\" is unstable at this mass ratio; use \"implicit\""
+      : f.model.collision != lbm::Collision::central_moments
+          ? "this collision loses stability at tau - 1/2 below about 1e-3; use "
+            "lattice.collision = \"central_moments\""
+          : "the time step is too long for what happens here; use a smaller lattice.mach";
+  throw core::Divergence(fmt::format(
+      "Diverged at step {} (t = {:.4g} s): {}, worst in cell ({}, {}) at axial {:.3g} mm, radial "
+      "{:.3g} mm. Likely cause: {}.",
+      step, core::to_si_time(s.derived.units, double(step)), what, seen.worst_i, seen.worst_j,
+      1e3 * at[0], 1e3 * at[1], cause));
+}
+
+template void add_flows(Flows&, CoupledScene<float, ibm::Sharp> const&);
+template Measurement measure(CoupledScene<float, ibm::Sharp> const&, Flows const&, double);
+template void guard(CoupledScene<float, ibm::Sharp> const&, lbm::Observation const&, long);
+template void add_flows(Flows&, CoupledScene<float, ibm::Diffuse> const&);
+template Measurement measure(CoupledScene<float, ibm::Diffuse> const&, Flows const&, double);
+template void guard(CoupledScene<float, ibm::Diffuse> const&, lbm::Observation const&, long);
+template void add_flows(Flows&, CoupledScene<double, ibm::Sharp> const&);
+template Measurement measure(CoupledScene<double, ibm::Sharp> const&, Flows const&, double);
+template void guard(CoupledScene<double, ibm::Sharp> const&, lbm::Observation const&, long);
+template void add_flows(Flows&, CoupledScene<double, ibm::Diffuse> const&);
+template Measurement measure(CoupledScene<double, ibm::Diffuse> const&, Flows const&, double);
+template void guard(CoupledScene<double, ibm::Diffuse> const&, lbm::Observation const&, long);
+
+}  // namespace velum::cases

@@ -1,0 +1,95 @@
+#include "cases/app/options.hpp"
+
+#include "cases/app/version.hpp"
+#include "core/spelling.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace velum::cases {
+namespace {
+
+constexpr char const* exit_codes =
+    "Exit codes: 0 done, 2 bad input, 3 diverged, 4 stopped by a signal or a limit.";
+
+void add_common(CLI::App& command, Options& options)
+{
+  command.add_option("--threads", options.threads, "Number of threads (all of the machine's)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command.add_flag("--quiet", options.quiet, "No live line; only results, warnings and errors");
+  command.footer(std::string("--kokkos-* options pass through to Kokkos.\n") + exit_codes);
+}
+
+void add_scene(CLI::App& command, Options& options)
+{
+  command
+      .add_option("SCENE", options.scene, "The scene file, such as cases/closed_valve/scene.toml")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("--set", options.set,
+                  "Replaces a value of the scene: inlet.pressure=\"300 kPa\". May be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, char const* const* argv)
+{
+  Options options{};
+  std::vector<std::string> rest;
+  for (int k = argc - 1; k > 0; --k) {  // CLI11 takes them last first
+    std::string const argument = argv[k];
+    if (argument.starts_with("--kokkos-"))
+      options.kokkos.insert(options.kokkos.begin(), argument);
+    else
+      rest.push_back(argument);
+  }
+
+  CLI::App app("velum: lattice Boltzmann flow with membranes and contact, from scene files.",
+               "velum");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "velum " + version());
+  app.footer(std::string("velum COMMAND --help shows the options of a command.\n") + exit_codes);
+
+  auto* run = app.add_subcommand("run", "March a scene and write its results to a folder");
+  add_scene(*run, options);
+  run->add_option("--out", options.out, "Folder of the results (results/<name of the scene>)")
+      ->type_name("DIR");
+  add_common(*run, options);
+
+  auto* check = app.add_subcommand(
+      "check",
+      "Preflight: what a run would cost and where it would be inaccurate, without running");
+  add_scene(*check, options);
+  add_common(*check, options);
+
+  auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
+  add_common(*info, options);
+
+  std::vector<std::string> const commands{"run", "check", "info"};
+  if (argc > 1 && argv[1][0] != '-' &&
+      std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
+    std::string const near = core::nearest(argv[1], commands);
+    fmt::print(stderr, "{} is not a command of velum{} Commands: {}.\n", argv[1],
+               near.empty() ? "." : fmt::format("; did you mean \"{}\"?", near),
+               fmt::join(commands, ", "));
+    return {{}, 2};
+  }
+  try {
+    app.parse(std::move(rest));
+  } catch (CLI::ParseError const& error) {
+    return {{}, app.exit(error) == 0 ? 0 : 2};
+  }
+  options.command = run->parsed() ? Command::run : check->parsed() ? Command::check : Command::info;
+  return {std::move(options), 0};
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace velum::cases {
+
+enum class Command { run, check, info };
+
+/// What the command line asks for.
+struct Options {
+  Command command;
+  std::filesystem::path scene;
+  std::vector<std::string> set;  // "key=value"
+  std::filesystem::path out;     // empty: results/<name of the scene>
+  int threads = 0;               // 0: all
+  bool quiet = false;
+  std::vector<std::string> kokkos;  // --kokkos-* arguments as they are
+};
+
+/// Either options, or the exit code of a command line that is already answered: 0 after --help and
+/// --version, 2 after a misuse, whose sentence is on stderr.
+struct CommandLine {
+  std::optional<Options> options;
+  int exit_code = 0;
+};
+
+CommandLine read_command_line(int argc, char const* const* argv);
+
+}  // namespace velum::cases

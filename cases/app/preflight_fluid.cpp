@@ -1,0 +1,123 @@
+#include "cases/app/preflight.hpp"
+
+#include "cases/app/geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace velum::cases {
+namespace {
+
+/// Width of the widest patch, doubled where it starts on the axis; of the domain without patches.
+double passage(Scene const& scene)
+{
+  double width = 0;
+  for (auto const& boundary : scene.boundaries)
+    for (auto const& patch : boundary.patches) {
+      bool const on_axis = symmetry(scene) == core::Symmetry::axisymmetric && patch.from == 0 &&
+                           box_side(patch.side).value_or(BoxSide{0, false}).axis == 0;
+      width = std::max(width, (on_axis ? 2 : 1) * (patch.to - patch.from));
+    }
+  return width > 0 ? width : scene.lattice.to[1] - scene.lattice.from[1];
+}
+
+Row mach_row(Scene const& scene, Derived const& d)
+{
+  // Compressibility errors grow with Mach^2; the collision operators lose stability near 0.5.
+  Row row{"Mach number", d.mach, "", Verdict::ok, ""};
+  std::string const mend =
+      scene.lattice.time_step
+          ? fmt::format("lattice.time_step <= \"{:.3g} us\"", 1e6 * d.units.dt * 0.2 / d.mach)
+          : "lattice.mach <= 0.2";
+  if (d.mach > 0.2)
+    row.verdict = Verdict::warn, row.remark = "errors grow with its square: " + mend;
+  if (d.mach > 0.5) row.verdict = Verdict::red, row.remark = "unstable: " + mend;
+  return row;
+}
+
+Row relaxation_row(Scene const& scene, Derived const& d)
+{
+  // Limits of a start-up flow in a 4-cell slit: BGK and TRT are lost below 1e-3, central moments
+  // with the trace at rate 1 hold down to 1e-5.
+  bool const central = scene.lattice.collision == Collision::central_moments;
+  double const least = central ? 1e-5 : 1e-3;
+  Row row{"relaxation time less 1/2", d.tau_minus_half, "", Verdict::ok, ""};
+  std::string const finer =
+      fmt::format("lattice.dx <= \"{:.3g} um\"", 1e6 * scene.lattice.dx * d.tau_minus_half / least);
+  if (d.tau_minus_half < least) {
+    row.verdict = central ? Verdict::warn : Verdict::red;
+    row.remark = central ? "little damping of waves is left: " + finer
+                         : "unstable: lattice.collision = \"central_moments\"";
+  } else if (d.tau_minus_half > 1) {
+    row.verdict = Verdict::warn;
+    row.remark = "walls lose accuracy above 1: a smaller lattice.mach does not pay here";
+  }
+  return row;
+}
+
+Row cell_reynolds_row(Scene const& scene, Derived const& d)
+{
+  Row row{"cell Reynolds number", d.cell_reynolds, "", Verdict::ok, ""};
+  if (d.cell_reynolds <= 30) return row;
+  switch (scene.les.model) {
+    case LesModel::auto_:
+      row.remark = "eddies below a cell; les.model = \"auto\" decides";
+      break;
+    case LesModel::smagorinsky:
+      row.remark = "eddies below a cell are modelled";
+      break;
+    case LesModel::off:
+      row.verdict = Verdict::warn;
+      row.remark = "fast flow would have eddies below a cell: les.model = \"auto\"";
+      break;
+  }
+  return row;
+}
+
+Row density_row(Scene const& scene, Derived const& d)
+{
+  // At the Bernoulli velocity the jump is Mach^2 / 2.
+  Row row{"density jump, compressibility", 100 * d.density_jump, "%", Verdict::ok, ""};
+  if (d.density_jump <= 0.02) return row;
+  double const mach = scene.lattice.mach * std::sqrt(0.02 / d.density_jump);
+  row.verdict = d.density_jump > 0.06 ? Verdict::red : Verdict::warn;
+  row.remark = scene.lattice.time_step
+                   ? fmt::format("lattice.time_step <= \"{:.3g} us\"",
+                                 1e6 * d.units.dt * std::sqrt(0.02 / d.density_jump))
+                   : fmt::format("lattice.mach <= {:.2g}", mach);
+  return row;
+}
+
+Row transit_row(Scene const& scene, Derived const& d)
+{
+  Row row{"acoustic transit of the domain", 1e6 * d.acoustic_transit, "us", Verdict::ok, ""};
+  if (scene.run.settle < 5 * d.acoustic_transit && scene.run.settle > 0) {
+    row.verdict = Verdict::warn;
+    row.remark = fmt::format("waves need five of them to die: run.settle >= \"{:.3g} ms\"",
+                             5e3 * d.acoustic_transit);
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<Row> fluid_rows(Scene const& scene, Derived const& d)
+{
+  return {
+      {"reference velocity", d.velocity, "m/s", Verdict::info, ""},
+      {"Reynolds number of the passage", d.velocity * passage(scene) / scene.fluid.viscosity, "",
+       Verdict::info, "if the flow reached the reference velocity there"},
+      mach_row(scene, d),
+      {"time step", 1e6 * d.units.dt, "us", Verdict::info,
+       scene.lattice.time_step ? "as given" : "from Mach number and reference velocity"},
+      relaxation_row(scene, d),
+      cell_reynolds_row(scene, d),
+      density_row(scene, d),
+      transit_row(scene, d),
+  };
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,40 @@
+#include "cases/app/results.hpp"
+
+#include "core/check.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace velum::cases {
+
+void prepare_results(Scene const& scene, std::filesystem::path const& out)
+{
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (!std::filesystem::is_directory(out))
+    throw core::InputError(
+        fmt::format("--out: the results folder {} cannot be made: {}.", out.string(),
+                    error ? error.message() : "a file of that name is in the way"));
+
+  auto const scene_file = out / "scene.toml";
+  std::error_code ignored;
+  if (std::filesystem::equivalent(scene_file, scene.file, ignored))
+    throw core::InputError(fmt::format(
+        "--out: the results folder {} holds the scene file itself, which the run would overwrite; "
+        "choose another folder.",
+        out.string()));
+  for (char const* name : {"run.h5", "run.xmf", "series.csv", "summary.json", "log.txt"})
+    std::filesystem::remove(out / name, ignored);
+
+  std::ofstream file(scene_file);
+  file << scene.text << std::flush;
+  if (!file)
+    throw core::InputError(fmt::format("--out: the results folder {} cannot be written: {}.",
+                                       out.string(), std::generic_category().message(errno)));
+}
+
+}  // namespace velum::cases

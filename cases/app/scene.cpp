@@ -1,0 +1,138 @@
+#include "cases/app/scene.hpp"
+
+#include "cases/app/overrides.hpp"
+#include "cases/app/scene_checks.hpp"
+#include "cases/app/scene_sections.hpp"
+#include "core/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace velum::cases {
+namespace {
+
+toml::table parse_file(std::filesystem::path const& file)
+{
+  std::error_code ignored;
+  core::require(std::filesystem::exists(file, ignored),
+                fmt::format("{}: there is no such scene file.", file.string()));
+  core::require(std::filesystem::is_regular_file(file, ignored),
+                fmt::format("{}: is not a file; name the scene.toml in it.", file.string()));
+  try {
+    return toml::parse_file(file.string());
+  } catch (toml::parse_error const& error) {
+    auto const line = error.source().begin.line;
+    throw core::InputError(
+        line > 0
+            ? fmt::format("{}:{}: is not valid TOML: {}.", file.string(), line, error.description())
+            : fmt::format("{}: cannot be read: {}.", file.string(), error.description()));
+  }
+}
+
+/// The symmetry has to be known before the sections whose units depend on it.
+core::Symmetry symmetry_of(Fidelity fidelity, SceneTable& root)
+{
+  if (fidelity == Fidelity::planar) return core::Symmetry::planar;
+  if (fidelity == Fidelity::axisymmetric || !root.has("membrane"))
+    return core::Symmetry::axisymmetric;
+  auto const shape = root.table("membrane").choice<MembraneShape>("shape", MembraneShape::disc);
+  return shape == MembraneShape::disc ? core::Symmetry::axisymmetric : core::Symmetry::planar;
+}
+
+Scene compose(SceneTable root)
+{
+  root.allow({"name", "fidelity", "lattice", "fluid", "les", "solid", "inlet", "outlet", "boundary",
+              "material", "membrane", "contact", "coupling", "run"});
+  std::string name = root.text("name");
+  if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.'))
+    root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
+  auto const fidelity = root.choice<Fidelity>("fidelity");
+  auto const planar_or_ring = symmetry_of(fidelity, root);
+
+  Scene scene{.name = std::move(name),
+              .fidelity = fidelity,
+              .lattice = read_lattice(root.table("lattice")),
+              .fluid = read_fluid(root.table("fluid")),
+              .les = root.has("les") ? read_les(root.table("les")) : Les{},
+              .coupling = root.has("coupling") ? read_coupling(root.table("coupling")) : Coupling{},
+              .run = read_schedule(root.table("run"))};
+  if (root.has("solid"))
+    for (auto const& [key, table] : root.table("solid").tables())
+      scene.solids.push_back(read_solid(table, key));
+  for (std::string const key : {"inlet", "outlet"})
+    if (root.has(key))
+      scene.boundaries.push_back(read_boundary(root.table(key), key, planar_or_ring));
+  if (root.has("boundary"))
+    for (auto const& [key, table] : root.table("boundary").tables()) {
+      if (key == "inlet" || key == "outlet")
+        table.fail("kind", fmt::format("belongs to a boundary whose table is simply [{}].", key));
+      scene.boundaries.push_back(read_boundary(table, key, planar_or_ring));
+    }
+  if (root.has("material"))
+    for (auto const& [key, table] : root.table("material").tables())
+      scene.materials.emplace(key, read_material(table));
+  if (root.has("membrane"))
+    scene.membrane = read_membrane(root.table("membrane"), planar_or_ring, scene.lattice.dx);
+  if (root.has("contact")) scene.contact = read_contact(root.table("contact"));
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides)
+{
+  toml::table merged = parse_file(file);
+  Origins origins{file.string(), {}, {}};
+  for (auto const& text : overrides) origins.overridden.push_back(apply_override(merged, text));
+
+  Scene scene = compose(SceneTable(merged, "", origins));
+  std::ostringstream text;
+  text << merged << '\n';
+  scene.text = text.str();
+  scene.file = file.string();
+  scene.places = std::move(origins.places);
+  check_scene(scene);
+  return scene;
+}
+
+void reject(Scene const& scene, std::string const& key, std::string const& what)
+{
+  // A part of an array or a default has the place of what contains it.
+  std::string place = scene.file;
+  std::string outer = key;
+  while (!outer.empty()) {
+    if (auto const found = scene.places.find(outer); found != scene.places.end()) {
+      place = found->second;
+      break;
+    }
+    auto const cut = outer.find_last_of(".[");
+    outer.resize(cut == std::string::npos ? 0 : cut);
+  }
+  throw core::InputError(fmt::format("{}: {} {}", place, key, what));
+}
+
+core::Symmetry symmetry(Scene const& scene)
+{
+  bool const planar = scene.fidelity == Fidelity::planar ||
+                      (scene.fidelity == Fidelity::hydrostatic && scene.membrane &&
+                       scene.membrane->shape == MembraneShape::strip);
+  return planar ? core::Symmetry::planar : core::Symmetry::axisymmetric;
+}
+
+Boundary const* find_boundary(Scene const& scene, std::string const& name)
+{
+  auto const found = std::find_if(scene.boundaries.begin(), scene.boundaries.end(),
+                                  [&](Boundary const& b) { return b.name == name; });
+  return found == scene.boundaries.end() ? nullptr : &*found;
+}
+
+Solid const* find_solid(Scene const& scene, std::string const& name)
+{
+  auto const found = std::find_if(scene.solids.begin(), scene.solids.end(),
+                                  [&](Solid const& s) { return s.name == name; });
+  return found == scene.solids.end() ? nullptr : &*found;
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,165 @@
+#pragma once
+#include "cases/app/curve.hpp"
+#include "core/symmetry.hpp"
+#include "core/vec.hpp"
+#include "lbm/fluid.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace velum::cases {
+
+using core::Vec2;
+using lbm::Collision;
+
+enum class Fidelity { hydrostatic, axisymmetric, planar };
+enum class Precision { double_, single_ };
+enum class LesModel { auto_, off, smagorinsky };
+enum class SolidShape { box, disc, profile };
+enum class Operation { add, subtract };
+enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow };
+enum class MembraneShape { disc, strip };
+enum class Rim { clamped, free };
+enum class ContactMethod { penalty, augmented_lagrangian };
+enum class LipPressure { none, linear };
+enum class CouplingMethod { sharp, diffuse };
+enum class CouplingScheme { implicit, explicit_ };
+
+/// The grid of square cells from corner `from` to at least corner `to`.
+struct Lattice {
+  double dx;
+  Vec2 from, to;
+  double mach = 0.1;                  // of the reference velocity; sets the time step
+  std::optional<double> time_step{};  // replaces mach
+  Collision collision = Collision::central_moments;
+  double magic = 0.125;  // of TRT
+  Precision precision = Precision::double_;
+  Vec2 shift{};  // of the grid against the geometry
+};
+
+struct FluidProperties {
+  double density;
+  double viscosity;  // kinematic
+};
+
+struct Les {
+  LesModel model = LesModel::auto_;
+  double constant = 0.1;
+};
+
+/// A rigid body: box from corner to corner, disc, or closed profile through its points. In a
+/// meridional plane these are a cylinder, a torus and a body of revolution.
+struct Solid {
+  std::string name;
+  SolidShape shape;
+  Vec2 from{}, to{};           // box
+  Vec2 centre{};               // disc
+  double radius = 0;           // disc
+  std::vector<Vec2> points{};  // profile; the last is joined to the first
+  double round = 0;            // radius of the convex corners, inside the outline
+  Vec2 shift{};
+  Operation operation = Operation::add;
+};
+
+/// Where a boundary lies: the part of a side of the lattice box, or of a solid's surface, whose
+/// coordinate along the side (of a solid: whose second coordinate, the radius) is in [from, to].
+struct Patch {
+  std::string side;  // "x-", "x+", "y-", "y+" or the name of a solid
+  double from, to;
+};
+
+struct Boundary {
+  std::string name;
+  BoundaryKind kind;
+  Curve value;  // over time: a pressure, velocity or flow rate as the kind says
+  std::vector<Patch> patches;
+};
+
+/// Incompressible neo-Hookean rubber with Rayleigh damping alpha M + beta K0.
+struct Material {
+  double shear_modulus;
+  double density;
+  double damping_mass = 0;       // alpha, 1/s
+  double damping_stiffness = 0;  // beta, s
+};
+
+/// Spring between a fixed support and the patch of the membrane within `radius` of its centre. It
+/// pushes towards smaller first coordinate with stiffness (free_length - length); its length is
+/// installed_length where the membrane is flat.
+struct Spring {
+  double stiffness, free_length, installed_length, radius;
+};
+
+/// Flat membrane across the first axis; its mid-surface lies at `position`.
+struct MembraneSheet {
+  MembraneShape shape;
+  std::string material;
+  double position;
+  double from, to;  // range of the second coordinate; a disc starts at 0
+  Curve thickness;  // undeformed, over the second coordinate
+  double element;   // largest length of an element
+  Rim rim = Rim::clamped;
+  std::optional<Curve> motion{};  // prescribed displacement of all of it along the first axis
+  std::optional<Spring> spring{};
+};
+
+struct ContactPair {
+  std::string seat;  // name of a solid
+  ContactMethod method = ContactMethod::penalty;
+  std::optional<double> stiffness{};  // Pa/m; empty: chosen by the run
+  LipPressure lip_pressure = LipPressure::linear;
+};
+
+struct Coupling {
+  CouplingMethod method = CouplingMethod::sharp;
+  CouplingScheme scheme = CouplingScheme::implicit;
+};
+
+/// How long the scene runs: `settle` with its boundaries as given, then `shut` with the inlet shut.
+struct Schedule {
+  double settle = 0;
+  double shut = 0;
+  double output_every;
+  double end;  // settle + shut unless given
+};
+
+/// What a scene file says, in SI units, checked. Points are (axial, radial) or (x, y).
+struct Scene {
+  std::string name;
+  Fidelity fidelity;
+  Lattice lattice;
+  FluidProperties fluid;
+  Les les{};
+  std::vector<Solid> solids{};  // by name
+  std::vector<Boundary> boundaries{};
+  std::map<std::string, Material> materials{};
+  std::optional<MembraneSheet> membrane{};
+  std::optional<ContactPair> contact{};
+  Coupling coupling{};
+  Schedule run;
+
+  std::string text{};                           // as read, overrides merged in, as TOML
+  std::string file{};                           // its path
+  std::map<std::string, std::string> places{};  // key -> "file:line" or "--set"
+};
+
+/// Reads, merges the overrides ("key=value") into, and checks a scene.
+/// @throws core::InputError  one sentence with file, line, key, what is wrong and what is allowed
+Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
+
+/// Throws core::InputError: place of the key, the key, then what is wrong with it.
+[[noreturn]] void reject(Scene const& scene, std::string const& key, std::string const& what);
+
+/// Planar or axisymmetric; a hydrostatic scene follows its membrane.
+core::Symmetry symmetry(Scene const& scene);
+
+/// The boundary of that name, or nullptr.
+Boundary const* find_boundary(Scene const& scene, std::string const& name);
+
+/// The solid of that name, or nullptr.
+Solid const* find_solid(Scene const& scene, std::string const& name);
+
+}  // namespace velum::cases

@@ -1,0 +1,109 @@
+#include "cases/app/scene_sections.hpp"
+
+#include <fmt/format.h>
+
+namespace velum::cases {
+
+using core::Dimension;
+
+Material read_material(SceneTable table)
+{
+  table.allow({"shear_modulus", "density", "damping_mass", "damping_stiffness"});
+  return {table.quantity("shear_modulus", Dimension::pressure, Sign::positive),
+          table.quantity("density", Dimension::density, Sign::positive),
+          table.quantity("damping_mass", Dimension::frequency, Sign::not_negative, 0.0),
+          table.quantity("damping_stiffness", Dimension::time, Sign::not_negative, 0.0)};
+}
+
+namespace {
+
+Spring read_spring(SceneTable table, core::Symmetry symmetry)
+{
+  table.allow({"stiffness", "free_length", "installed_length", "radius"});
+  auto const stiffness =
+      symmetry == core::Symmetry::planar ? Dimension::stiffness_per_depth : Dimension::stiffness;
+  Spring const spring{
+      table.quantity("stiffness", stiffness, Sign::not_negative),
+      table.quantity("free_length", Dimension::length, Sign::positive),
+      table.quantity("installed_length", Dimension::length, Sign::positive),
+      table.quantity("radius", Dimension::length, Sign::positive),
+  };
+  if (spring.installed_length > spring.free_length)
+    table.fail("installed_length", "must not exceed \"free_length\": the spring can only push.");
+  return spring;
+}
+
+}  // namespace
+
+MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx)
+{
+  std::vector<std::string> keys{"shape",     "material", "position", "radius", "from",  "to",
+                                "thickness", "element",  "rim",      "motion", "spring"};
+  table.allow(keys);
+  auto const shape = table.choice<MembraneShape>("shape");
+  bool const disc = shape == MembraneShape::disc;
+  if (disc != (symmetry == core::Symmetry::axisymmetric))
+    table.fail("shape",
+               fmt::format("cannot be \"{}\" in {} scene; it must be \"{}\".", word(shape),
+                           disc ? "a planar" : "an axisymmetric", disc ? "strip" : "disc"));
+  std::erase_if(keys, [&](std::string const& key) {
+    return disc ? key == "from" || key == "to" : key == "radius";
+  });
+  table.allow(keys, fmt::format(" with shape = \"{}\"", word(shape)));
+
+  MembraneSheet membrane{
+      .shape = shape,
+      .material = table.text("material"),
+      .position = table.quantity("position", Dimension::length),
+      .from = disc ? 0.0 : table.quantity("from", Dimension::length),
+      .to = disc ? table.quantity("radius", Dimension::length, Sign::positive)
+                 : table.quantity("to", Dimension::length),
+      .thickness = table.curve("thickness", Dimension::length, Dimension::length, Sign::positive),
+      .element = table.quantity("element", Dimension::length, Sign::positive, dx),
+      .rim = table.choice<Rim>("rim", Rim::clamped)};
+  if (membrane.from >= membrane.to) table.fail("to", "must be larger than \"from\".");
+  if (membrane.element > 0.5 * (membrane.to - membrane.from))
+    table.fail("element", "must be at most half the width of the membrane.");
+  if (table.has("motion"))
+    membrane.motion = table.curve("motion", Dimension::time, Dimension::length);
+  if (table.has("spring")) membrane.spring = read_spring(table.table("spring"), symmetry);
+  return membrane;
+}
+
+ContactPair read_contact(SceneTable table)
+{
+  table.allow({"seat", "method", "stiffness", "lip_pressure"});
+  ContactPair contact{.seat = table.text("seat")};
+  contact.method = table.choice<ContactMethod>("method", contact.method);
+  contact.stiffness = table.pressure_per_length_or_auto("stiffness");
+  contact.lip_pressure = table.choice<LipPressure>("lip_pressure", contact.lip_pressure);
+  return contact;
+}
+
+Coupling read_coupling(SceneTable table)
+{
+  table.allow({"method", "scheme"});
+  Coupling coupling;
+  coupling.method = table.choice<CouplingMethod>("method", coupling.method);
+  coupling.scheme = table.choice<CouplingScheme>("scheme", coupling.scheme);
+  return coupling;
+}
+
+Schedule read_schedule(SceneTable table)
+{
+  table.allow({"settle", "shut", "end", "output_every"});
+  Schedule run{.output_every = 0, .end = 0};
+  run.shut = table.quantity("shut", Dimension::time, Sign::not_negative, 0.0);
+  if (table.has("end")) {
+    run.end = table.quantity("end", Dimension::time, Sign::positive);
+    if (run.shut > run.end) table.fail("shut", "must not exceed \"end\".");
+    run.settle = table.quantity("settle", Dimension::time, Sign::not_negative, run.end - run.shut);
+  } else {
+    run.settle = table.quantity("settle", Dimension::time, Sign::positive);
+    run.end = run.settle + run.shut;
+  }
+  run.output_every = table.quantity("output_every", Dimension::time, Sign::positive, run.end);
+  return run;
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,84 @@
+#pragma once
+#include "cases/app/scene.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The words by which a scene file names a choice.
+namespace velum::cases {
+
+template <class Choice>
+using Words = std::vector<std::pair<std::string, Choice>>;
+
+inline Words<Fidelity> words(Fidelity)
+{
+  return {{"hydrostatic", Fidelity::hydrostatic},
+          {"axisymmetric", Fidelity::axisymmetric},
+          {"planar", Fidelity::planar}};
+}
+inline Words<Collision> words(Collision)
+{
+  return {{"bgk", Collision::bgk},
+          {"trt", Collision::trt},
+          {"central_moments", Collision::central_moments}};
+}
+inline Words<Precision> words(Precision)
+{
+  return {{"double", Precision::double_}, {"single", Precision::single_}};
+}
+inline Words<LesModel> words(LesModel)
+{
+  return {
+      {"auto", LesModel::auto_}, {"off", LesModel::off}, {"smagorinsky", LesModel::smagorinsky}};
+}
+inline Words<SolidShape> words(SolidShape)
+{
+  return {{"box", SolidShape::box}, {"disc", SolidShape::disc}, {"profile", SolidShape::profile}};
+}
+inline Words<Operation> words(Operation)
+{
+  return {{"add", Operation::add}, {"subtract", Operation::subtract}};
+}
+inline Words<BoundaryKind> words(BoundaryKind)
+{
+  return {{"traction", BoundaryKind::traction},
+          {"pressure", BoundaryKind::pressure},
+          {"velocity", BoundaryKind::velocity},
+          {"flow_rate", BoundaryKind::flow_rate},
+          {"outflow", BoundaryKind::outflow}};
+}
+inline Words<MembraneShape> words(MembraneShape)
+{
+  return {{"disc", MembraneShape::disc}, {"strip", MembraneShape::strip}};
+}
+inline Words<Rim> words(Rim) { return {{"clamped", Rim::clamped}, {"free", Rim::free}}; }
+inline Words<ContactMethod> words(ContactMethod)
+{
+  return {{"penalty", ContactMethod::penalty},
+          {"augmented_lagrangian", ContactMethod::augmented_lagrangian}};
+}
+inline Words<LipPressure> words(LipPressure)
+{
+  return {{"none", LipPressure::none}, {"linear", LipPressure::linear}};
+}
+inline Words<CouplingMethod> words(CouplingMethod)
+{
+  return {{"sharp", CouplingMethod::sharp}, {"diffuse", CouplingMethod::diffuse}};
+}
+inline Words<CouplingScheme> words(CouplingScheme)
+{
+  return {{"implicit", CouplingScheme::implicit}, {"explicit", CouplingScheme::explicit_}};
+}
+
+/// The word for a choice.
+template <class Choice>
+std::string word(Choice choice)
+{
+  auto const all = words(choice);
+  return std::find_if(all.begin(), all.end(), [&](auto const& w) { return w.second == choice; })
+      ->first;
+}
+
+}  // namespace velum::cases

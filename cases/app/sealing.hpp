@@ -1,0 +1,34 @@
+#pragma once
+#include "cases/app/coupled_scene.hpp"
+#include "ibm/regions.hpp"
+
+namespace velum::cases {
+
+/// Whether no population can travel from an inlet to an outlet. Of a diffuse membrane, which stops
+/// fluid by force and not by topology, never.
+template <class Real>
+bool is_sealed(CoupledScene<Real, ibm::Sharp> const& s)
+{
+  auto const& fluid = s.state.fluid;
+  auto const regions = ibm::connected_regions(fluid, s.state.body.cells);
+  std::vector<int> inlets, outlets;
+  for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
+    auto const& list = s.state.openings[k].links;
+    auto const links = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), list.links);
+    for (int l = 0; l < list.size; ++l)
+      (s.boundary[k] == "inlet" ? inlets : outlets)
+          .push_back(regions.of[static_cast<std::size_t>(links(l).j * fluid.nx + links(l).i)]);
+  }
+  for (int a : inlets)
+    for (int b : outlets)
+      if (a == b && a >= 0) return false;
+  return true;
+}
+
+template <class Real>
+bool is_sealed(CoupledScene<Real, ibm::Diffuse> const&)
+{
+  return false;
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+
+#include "cases/app/scene.hpp"
+
+namespace velum::cases {
+
+struct RunOptions {
+  std::filesystem::path out;  // absolute, exists
+  bool quiet = false;
+};
+
+/// Runs a scene to its end and leaves its results in the folder; prints the certificate.
+/// Throws core::InputError, core::Divergence or Stopped; what was written until then is complete.
+void run(Scene const& scene, RunOptions const& options);
+
+}  // namespace velum::cases

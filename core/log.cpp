@@ -1,0 +1,35 @@
+#include "core/log.hpp"
+
+#include "core/check.hpp"
+
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+#include <utility>
+
+namespace velum::core {
+
+void start_log(std::filesystem::path const& folder, Console console)
+{
+  auto const file_name = folder / "log.txt";
+  auto to_console = std::make_shared<spdlog::sinks::stdout_sink_mt>();
+  to_console->set_pattern("%v");
+  to_console->set_level(console == Console::quiet ? spdlog::level::warn : spdlog::level::trace);
+
+  std::shared_ptr<spdlog::sinks::basic_file_sink_mt> to_file;
+  try {
+    to_file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file_name.string(), true);
+  } catch (spdlog::spdlog_ex const&) {
+    throw InputError("The log " + file_name.string() + " cannot be written.");
+  }
+  to_file->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
+
+  auto logger = std::make_shared<spdlog::logger>(
+      "velum", spdlog::sinks_init_list{std::move(to_console), std::move(to_file)});
+  logger->flush_on(spdlog::level::trace);
+  spdlog::set_default_logger(std::move(logger));
+}
+
+}  // namespace velum::core

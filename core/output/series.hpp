@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace velum::core {
+
+/// One quantity of a time series. The unit is SI, "1" for a plain number.
+struct Column {
+  std::string name, unit;
+};
+
+/// A CSV file that grows by a row per sample; each row is on the disk when append() returns. The
+/// header is `name [unit]`; the first column is the time in seconds. The first row belongs to the
+/// state before the first step.
+struct Series {
+  std::filesystem::path path;
+  std::ofstream file;
+  std::size_t columns;  // without the time
+};
+
+/// Starts the file with its header.
+/// @throws InputError  the file cannot be written, or a name cannot stand in a header
+Series start_series(std::filesystem::path const& file, std::vector<Column> const& columns);
+
+/// Adds the row at a time; every number reads back as the same double ("nan" and "inf" as such).
+/// @param values  one per column, in their order, SI
+/// @throws InputError  the row cannot be written, or has the wrong length
+void append(Series& series, double time, std::vector<double> const& values);
+
+}  // namespace velum::core

@@ -1,0 +1,36 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "ibm/contact_load.hpp"
+#include "ibm/face_pressure.hpp"
+#include "lbm/opening.hpp"
+#include "structure/explicit_step.hpp"
+
+namespace velum::ibm {
+
+/// How fluid and structure find the velocity of the faces within a step.
+///   implicit  the structure carries the fluid's block Z; stable at every mass ratio
+///   explicit_ the old velocity bounces the fluid back, its force moves the structure afterwards:
+///             unstable below a mass ratio of some tens; kept to be measured
+enum class Scheme { implicit, explicit_ };
+
+/// Fluid, membrane and seat of one scene, in lattice units. Body is Sharp or Diffuse.
+template <class Real, template <class> class Body>
+struct Coupled {
+  lbm::Fluid<Real> fluid;
+  std::vector<lbm::Opening> openings;
+  std::vector<double> targets;                  // of the openings, as opening.hpp says
+  Body<Real> body;
+  structure::Membrane membrane;
+  structure::ExplicitStepper stepper;
+  std::vector<structure::Load> loads;           // spring and contact
+  std::shared_ptr<SeatContact> seat;            // empty without contact
+  core::Obstacle walls;                         // all rigid solids
+  FacePressure pressure;
+  Scheme scheme = Scheme::implicit;
+  int substeps = 1;
+  Ledger ledger;
+};
+
+}  // namespace velum::ibm

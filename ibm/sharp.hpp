@@ -1,0 +1,74 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "ibm/cells.hpp"
+#include "ibm/ledger.hpp"
+#include "lbm/link.hpp"
+
+namespace velum::ibm {
+
+/// A link cut by the membrane, as the host keeps it.
+struct CutLink {
+  Hit hit;
+  double ring;
+  std::uint8_t side;   // plus_side or minus_side: of the fluid cell
+  bool downstream;     // for the ledger
+};
+
+/// What the fluid says to the structure in one step, lattice units.
+struct Exchange {
+  Eigen::VectorXd force;                 // F0, at wall velocity zero              [2N]
+  std::vector<Eigen::Matrix2d> block;    // Z: the force is F0 - Z v                [N]
+  std::vector<core::Vec2> link_area[2];  // per side: sum of 6 w c ring over links  [N]
+  std::vector<double> pressure[2];       // per side: mean over the node's links    [N]
+  std::vector<double> samples[2];        // weight of that mean, 0 = no link        [N]
+  int link_count = 0;                    // links, or markers, that took part
+};
+
+/// Sharp link-cut immersed boundary: the membrane is a solid with two wet faces; a link whose ends
+/// have different labels is cut, and an interpolated bounce-back at the true distance replaces what
+/// would have come through. Sealing is topology: no population ever crosses, whatever the geometry.
+template <class Real>
+struct Sharp {
+  lbm::Walls walls;
+  std::vector<lbm::WallHit> wall_hits;  // without those of openings
+  Surface surface;
+  Cells cells;
+  double divide = 0;                    // radius that parts up- from downstream under the membrane
+
+  lbm::LinkList resting;                // rigid walls and films
+  lbm::LinkList cut_links;              // same order as cut
+  std::vector<lbm::Link> cut_host;
+  std::vector<CutLink> cut;
+  Kokkos::View<double**, Kokkos::LayoutRight> heard;  // [3][links]: outgoing, reflected, density
+  Kokkos::View<double*> wall_term;      // kappa c.u_w of each link
+  Exchange exchange;
+  long refilled = 0, orphans = 0;       // sites uncovered so far; those without a neighbour to copy
+};
+
+/// Prepares the boundary for a fluid whose rigid walls are known, at the membrane's present place.
+template <class Real>
+Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
+                       std::vector<lbm::WallHit> const& wall_hits,
+                       structure::Membrane const& membrane, double divide);
+
+/// Force of the fluid on the nodes were the membrane at rest, F0, and the block Z by which it falls
+/// with the velocity. Per link, momentum exchange relative to the rest density:
+///   F = ring c (f_out + g),  Z = ring kappa c c^T,
+/// f_out the outgoing population, g what a resting wall reflects, both less w; handed to the two
+/// nodes of the element by its shape functions. Ladd 1994; Wen et al., J. Comput. Phys. 266 (2014) 161.
+template <class Real>
+void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane);
+
+/// Sends the populations back with the velocity of the faces, then streams and collides.
+/// @param velocity  mean node velocity of the step [2N]
+template <class Real>
+void impose(Sharp<Real>& body, lbm::Fluid<Real>& fluid, Eigen::VectorXd const& velocity,
+            Ledger& ledger);
+
+/// Follows the membrane to its new place: labels, uncovered sites, cut links.
+template <class Real>
+void move(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane);
+
+}  // namespace velum::ibm

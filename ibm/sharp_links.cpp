@@ -1,0 +1,184 @@
+#include "ibm/sharp_links.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::ibm {
+
+namespace {
+
+using lbm::D2Q9;
+
+template <class Real>
+bool same_side_behind(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir)
+{
+  auto const n = lbm::neighbour(fluid, i, j, D2Q9::opposite(dir));
+  return n.i >= 0 && body.cells.at(n.i, n.j) == body.cells.at(i, j);
+}
+
+template <class Real>
+lbm::Link link(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir,
+               double q)
+{
+  return {i, j, std::int16_t(dir), std::int16_t(same_side_behind(body, fluid, i, j, dir)), 1.0f, q};
+}
+
+template <class Real>
+Hit find_hit(Sharp<Real> const& body, int i, int j, int dir)
+{
+  Cells const& cells = body.cells;
+  core::Vec2 const p = cells.labels.origin + core::Vec2{i + 0.5, j + 0.5};
+  core::Vec2 const c = {double(D2Q9::cx(dir)), double(D2Q9::cy(dir))};
+  return cells.at(i, j) == fluid_plus ? cut(body.surface.plus, cells.plus_index, p, c)
+                                      : cut(body.surface.minus, cells.minus_index, p, c);
+}
+
+template <class Real>
+void add_cut(Sharp<Real>& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir, Hit const& hit)
+{
+  double const y = fluid.origin[1] + j + 0.5;
+  std::uint8_t const side = body.cells.at(i, j);
+  body.cut_host.push_back(link(body, fluid, i, j, dir, hit.q));
+  body.cut.push_back({hit, lbm::link_ring(fluid.symmetry, y, dir), side,
+                      side == fluid_minus && y < body.divide});
+}
+
+/// Sites of row j that may have a neighbour across the membrane: from two below the lowest crossing
+/// of this row and its neighbours to two above the highest.
+struct Band {
+  int first, last;
+};
+Band band(Labels const& labels, int j)
+{
+  Band b{labels.nx, -1};
+  for (int r = std::max(0, j - 1); r <= std::min(labels.ny - 1, j + 1); ++r)
+    for (auto const* rows : {&labels.plus, &labels.minus})
+      for (int site : (*rows)[static_cast<std::size_t>(r)]) {
+        b.first = std::min(b.first, site - 2);
+        b.last = std::max(b.last, site + 2);
+      }
+  return {std::max(b.first, 0), std::min(b.last, labels.nx - 1)};
+}
+
+/// Side of the wall site that a link leads to. Where it is not the fluid cell's own, the membrane is
+/// what the link meets: it must feel the load even where it is pressed a little into the wall, and a
+/// face that slides along a wall must displace the full width of its last cell. Beyond the box the
+/// membrane goes on as in the last row, which makes the area of its links exactly the section's.
+template <class Real>
+std::uint8_t label_beyond(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid,
+                          lbm::WallHit const& h)
+{
+  auto const n = lbm::neighbour(fluid, h.i, h.j, h.dir);
+  if (n.i >= 0) return body.cells.labels.at(n.i, n.j);
+  int const i = std::clamp(h.i + D2Q9::cx(h.dir), 0, fluid.nx - 1);
+  return body.cells.labels.at(i, h.j);
+}
+
+template <class Real>
+void mark_active(Sharp<Real> const& body, lbm::Fluid<Real>& fluid)
+{
+  auto const host = Kokkos::create_mirror_view(fluid.active);
+  for (int j = 0; j < fluid.ny; ++j)
+    for (int i = 0; i < fluid.nx; ++i) {
+      std::uint8_t const s = body.cells.at(i, j);
+      host(j + 1, i + 1) = is_fluid(s) ? s : 0;
+    }
+  Kokkos::deep_copy(fluid.active, host);
+}
+
+template <class Real>
+void upload_cuts(Sharp<Real>& body)
+{
+  lbm::upload(body.cut_links, body.cut_host);
+  if (body.wall_term.extent(0) >= body.cut_host.size()) return;
+  std::size_t const room = body.cut_host.size() * 5 / 4 + 64;
+  body.wall_term = Kokkos::View<double*>("wall_term", room);
+  body.heard = Kokkos::View<double**, Kokkos::LayoutRight>("heard", 3, room);
+}
+
+}  // namespace
+
+template <class Real>
+void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
+{
+  Cells const& cells = body.cells;
+  body.cut.clear();
+  body.cut_host.clear();
+  std::vector<lbm::Link> resting;
+  for (lbm::WallHit const& h : body.wall_hits) {
+    if (!is_fluid(cells.at(h.i, h.j))) continue;
+    if (label_beyond(body, fluid, h) != cells.labels.at(h.i, h.j)) {
+      Hit const hit = find_hit(body, h.i, h.j, h.dir);
+      if (hit.found) {
+        add_cut(body, fluid, h.i, h.j, h.dir, hit);
+        continue;
+      }
+    }
+    resting.push_back(link(body, fluid, h.i, h.j, h.dir, h.q));
+  }
+  for (int j = 0; j < fluid.ny; ++j) {
+    Band const b = band(cells.labels, j);
+    for (int i = b.first; i <= b.last; ++i) {
+      std::uint8_t const own = cells.at(i, j);
+      if (!is_fluid(own)) continue;
+      for (int dir = 1; dir < D2Q9::Q; ++dir) {
+        auto const n = lbm::neighbour(fluid, i, j, dir);
+        if (n.i < 0) continue;
+        std::uint8_t const other = cells.at(n.i, n.j);
+        if (other == own || other == wall) continue;
+        if (other == film && cells.labels.at(n.i, n.j) == cells.labels.at(i, j))
+          resting.push_back(link(body, fluid, i, j, dir, 0.5));
+        else
+          add_cut(body, fluid, i, j, dir, find_hit(body, i, j, dir));
+      }
+    }
+  }
+  lbm::upload(body.resting, resting);
+  upload_cuts(body);
+  mark_active(body, fluid);
+}
+
+template <class Real>
+void recut(Sharp<Real>& body)
+{
+  for (std::size_t k = 0; k < body.cut.size(); ++k) {
+    lbm::Link& l = body.cut_host[k];
+    body.cut[k].hit = find_hit(body, l.i, l.j, l.dir);
+    l.q = body.cut[k].hit.q;
+  }
+  upload_cuts(body);
+}
+
+template <class Real>
+double seat_crossing(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid)
+{
+  int const row = static_cast<int>(std::lround(body.divide - fluid.origin[1]));
+  if (row < 1 || row >= fluid.ny) return 0;
+  auto const f = fluid.f;
+  auto const active = fluid.active;
+  int const nx = fluid.nx;
+  double const ring = core::ring(fluid.symmetry, fluid.origin[1] + row);
+  double sum = 0;
+  Kokkos::parallel_reduce(
+      "velum::ibm::seat_crossing", nx,
+      KOKKOS_LAMBDA(int i, double& mass) {
+        if (active(row + 1, i + 1) != fluid_minus) return;
+        for (int d = 1; d < D2Q9::Q; ++d) {
+          if (D2Q9::cy(d) != -1) continue;
+          int const x = i + D2Q9::cx(d);
+          if (x < 0 || x >= nx || active(row, x + 1) != fluid_minus) continue;
+          mass += double(f(d, row + 1, i + 1)) - double(f(D2Q9::opposite(d), row, x + 1));
+        }
+      },
+      sum);
+  return ring * sum;
+}
+
+template void rebuild_links(Sharp<float>&, lbm::Fluid<float>&);
+template void rebuild_links(Sharp<double>&, lbm::Fluid<double>&);
+template void recut(Sharp<float>&);
+template void recut(Sharp<double>&);
+template double seat_crossing(Sharp<float> const&, lbm::Fluid<float> const&);
+template double seat_crossing(Sharp<double> const&, lbm::Fluid<double> const&);
+
+}  // namespace velum::ibm

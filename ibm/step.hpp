@@ -1,0 +1,64 @@
+#pragma once
+#include "ibm/coupled.hpp"
+#include "lbm/bounce_back.hpp"
+#include "lbm/stream_and_collide.hpp"
+
+namespace velum::ibm {
+
+/// Walls at rest and openings write what they send back.
+template <class Real, template <class> class Body>
+void apply_boundaries(Coupled<Real, Body>& s)
+{
+  lbm::fill_ghosts(s.fluid);
+  lbm::bounce_back(s.fluid, s.body.resting, {0, 0});
+  for (std::size_t k = 0; k < s.openings.size(); ++k)
+    lbm::apply(s.fluid, s.openings[k], s.targets[k]);
+}
+
+/// Adds the load of what the links of a sharp body do not feel: films, and faces between the links.
+template <class Real>
+void complete(Coupled<Real, Sharp>& s)
+{
+  complete_load(s.pressure, s.body.exchange, s.body.surface, s.walls, s.fluid.symmetry,
+                s.seat ? contact::contact_patch(s.seat->contact, s.seat->markers)
+                       : contact::Patch{});
+}
+
+/// Any other body feels its faces whole.
+template <class Real, template <class> class Body>
+void complete(Coupled<Real, Body>&)
+{
+}
+
+/// Moves the membrane under the fluid's force F0 - Z v and returns its mean velocity.
+template <class Real, template <class> class Body>
+Eigen::VectorXd advance(Coupled<Real, Body>& s)
+{
+  Exchange& e = s.body.exchange;
+  if (s.scheme == Scheme::implicit)
+    return structure::advance(s.stepper, s.membrane, e.force, e.block, 1.0, s.substeps, s.loads);
+  Eigen::VectorXd const old = s.membrane.velocity;
+  for (std::size_t a = 0; a < e.block.size(); ++a) {
+    auto const k = static_cast<Eigen::Index>(2 * a);
+    e.force.segment<2>(k) -= e.block[a] * old.segment<2>(k);
+  }
+  structure::advance(s.stepper, s.membrane, e.force, {}, 1.0, s.substeps, s.loads);
+  return old;
+}
+
+/// One step of fluid, membrane and contact from t to t + dt. The velocity of the faces is the only
+/// unknown they share, and it is found before the fluid moves: within the step the coupling is
+/// converged, without iteration; the geometry lags by one step.
+template <class Real, template <class> class Body>
+void step(Coupled<Real, Body>& s)
+{
+  apply_boundaries(s);                                      // walls, inlets, outlets
+  feel(s.body, s.fluid, s.membrane);                        // F0 and Z on the nodes
+  complete(s);                                              // what links do not feel
+  if (s.seat) follow_thickness(*s.seat, s.membrane, thickness_share);
+  Eigen::VectorXd const velocity = advance(s);              // M dv/dt = F0 - Z v + loads(x)
+  impose(s.body, s.fluid, velocity, s.ledger);              // the faces push the fluid; f -> f
+  move(s.body, s.fluid, s.membrane);                        // labels, uncovered sites, cut links
+}
+
+}  // namespace velum::ibm

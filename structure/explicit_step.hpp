@@ -1,0 +1,47 @@
+#pragma once
+#include "structure/damping.hpp"
+#include "structure/load.hpp"
+#include "structure/membrane.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace velum::structure {
+
+/// What the explicit scheme keeps between calls: its matrices and its memory.
+struct ExplicitStepper {
+  using Solver =
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+  Rayleigh damping;
+  Eigen::VectorXd mass;                          ///< lumped                        [N]
+  Eigen::SparseMatrix<double> K0;                ///< of the reference state        [2N][2N]
+  Eigen::SparseMatrix<double> A;                 ///< implicit matrix, pattern of K0
+  std::vector<std::array<int, 4>> diagonal;      ///< entries of A of each node's own 2 x 2 block
+  std::unique_ptr<Solver> solver;                ///< pattern analysed once
+  Eigen::VectorXd force, rhs, prescribed, mean;  ///< working memory                [2N]
+};
+
+/// Stepper of a membrane with the stiffness of its reference state in the damping; with beta = 0
+/// the matrix couples no two nodes.
+ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping);
+
+/// Advances position and velocity by dt in equal sub-steps of length h, symplectic Euler with the
+/// damping and the wall block Z implicit in the velocity:
+///   (M + h (alpha M + beta K0 + Z)) v' = M v + h (F0 + sum of loads(x) + elastic force(x)),
+///   x' = x + h v'.
+/// Returns the mean of v' over the sub-steps, vbar: the impulse of the force F0 - Z v on a free
+/// node is dt (F0 - Z vbar) exactly. Prescribed components keep their velocity. Stable for
+/// h < stable_step().
+/// @param F0  force at zero wall velocity                               [2N]
+/// @param Z   symmetric positive semi-definite block per node, or empty [N]
+/// @return    valid until the next call                                 [2N]
+/// Throws core::Divergence where the motion is no longer finite.
+Eigen::VectorXd const& advance(ExplicitStepper& stepper, Membrane& m, Eigen::VectorXd const& F0,
+                               std::span<Eigen::Matrix2d const> Z, double dt, int substeps,
+                               std::span<Load const> loads);
+
+}  // namespace velum::structure

@@ -1,0 +1,176 @@
+#include "structure/static_solve.hpp"
+
+#include "core/check.hpp"
+#include "structure/internal_force.hpp"
+#include "structure/mass.hpp"
+#include "structure/restrained.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::structure {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// Out-of-balance force under a share of the loads, and the size of the forces in balance.
+struct Balance {
+  Eigen::VectorXd residual;
+  double scale;
+};
+
+Balance balance(Membrane const& m, std::span<Load const> loads, double share)
+{
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(m.position.size()), elastic = load;
+  for (auto const& l : loads) l(m.position, load, nullptr);
+  load *= share;
+  add_elastic_force(m, m.position, elastic);
+  Balance b{load + elastic, 0};
+  drop_fixed(m.fixed, b.residual);
+  b.scale = std::max(load.cwiseAbs().maxCoeff(), elastic.cwiseAbs().maxCoeff());
+  return b;
+}
+
+/// K = -d(elastic + share * loads)/dx of the free components.
+Matrix tangent(Membrane const& m, std::span<Load const> loads, double share)
+{
+  Triplets entries;
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(m.position.size());
+  for (auto const& load : loads) load(m.position, unused, &entries);
+  for (auto& t : entries) t = {t.row(), t.col(), -share * t.value()};
+  add_stiffness(m, m.position, entries);
+  return restrained(entries, m.fixed);
+}
+
+bool positive_definite(Matrix const& matrix)
+{
+  Matrix const symmetric = 0.5 * (matrix + Matrix(matrix.transpose()));
+  Eigen::SimplicialLDLT<Matrix> const ldlt(symmetric);
+  return ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 0;
+}
+
+struct Relaxation {
+  bool converged = false;
+  bool burst = false;
+  int iterations = 0;
+  Balance last;
+};
+
+/// Pseudo-transient Newton under a constant share of the load, from the position of m: implicit
+/// Euler steps of M dx/dtau = residual(x) with shift = 1 / dtau, each solved only as far as needed.
+Relaxation relax(Membrane& m, std::span<Load const> loads, double share, Matrix const& mass,
+                 double reach, StaticOptions const& options)
+{
+  constexpr int max_newton = 8;   // contact that opens or closes needs a few
+  constexpr double enough = 0.3;  // part of the residual a step may leave unexplained
+  Relaxation r;
+  r.last = balance(m, loads, share);
+  double const floor = rounding_force(m, m.position);
+  double const burst = std::max(options.largest_stretch, 2 * largest_stretch(m, m.position));
+  Eigen::VectorXd const inertia = mass.diagonal();
+  double shift = r.last.residual.cwiseAbs().cwiseQuotient(inertia).maxCoeff() / reach;
+
+  while (r.iterations < options.max_iterations) {
+    Matrix K = tangent(m, loads, share);
+    // A neutral direction (flat, unloaded) is no instability: hence the tiny shift.
+    double const tiny = 1e-10 * K.diagonal().cwiseQuotient(inertia).maxCoeff();
+    double const now = r.last.residual.cwiseAbs().maxCoeff();
+    if (!std::isfinite(now)) return r;
+    if (now <= options.tolerance * r.last.scale + floor) {
+      r.converged = positive_definite(K + tiny * mass);
+      return r;
+    }
+    Eigen::VectorXd const start = m.position;
+    double const size = r.last.residual.norm();
+    Eigen::VectorXd open = r.last.residual;  // residual of the implicit Euler step
+    Balance next;
+    double missed = 0;
+    int newton = 0;
+    bool accepted = false;
+    for (; newton < max_newton && !accepted; ++newton, ++r.iterations) {
+      if (newton > 0) K = tangent(m, loads, share);
+      Matrix const J = K + shift * mass;
+      if (!positive_definite(J)) break;
+      m.position += Eigen::SparseLU<Matrix>(J).solve(open);
+      next = balance(m, loads, share);
+      open = next.residual - shift * (mass * (m.position - start));
+      missed = open.norm() / size;
+      accepted = missed < enough;
+      if (!std::isfinite(missed)) break;
+    }
+    if (!accepted) {
+      m.position = start;
+      shift = std::max(5 * shift, 10 * tiny);
+      ++r.iterations;
+      continue;
+    }
+    r.last = next;
+    if (newton == 1) shift *= std::max(missed, 1e-4);
+    r.burst = largest_stretch(m, m.position) > burst;
+    if (r.burst) return r;
+  }
+  return r;
+}
+
+[[noreturn]] void give_up(Membrane const& m, Relaxation const& r, double carried, double tried)
+{
+  Eigen::Index worst = 0;
+  r.last.residual.cwiseAbs().maxCoeff(&worst);
+  double const stretch = largest_stretch(m, m.position);
+  auto const cause =
+      r.burst || stretch > 1.5
+          ? fmt::format(
+                "the stretch reached {:.2f}: the limit point of inflation is passed (a "
+                "clamped neo-Hookean disc carries at most p a / (mu H) = 1.879); make the "
+                "membrane thicker or stiffer, or lower the pressure",
+                stretch)
+          : std::string(
+                "the membrane may be compressed along its meridian, where it buckles, or "
+                "it slips off its contact");
+  throw core::Divergence(
+      fmt::format("no stable static equilibrium beyond {:.4f} of the load (tried {:.4f}); largest "
+                  "residual {:.1e} of the nodal force at node {} of {}; {}",
+                  carried, tried, r.last.residual.cwiseAbs().maxCoeff() / r.last.scale, worst / 2,
+                  node_count(m), cause));
+}
+
+}  // namespace
+
+StaticReport static_solve(Membrane& m, std::span<Load const> loads, StaticOptions const& options)
+{
+  Eigen::VectorXd const nodal = lumped_mass(m);
+  Triplets entries;
+  for (int i = 0; i < m.position.size(); ++i) entries.emplace_back(i, i, nodal[i / 2]);
+  Matrix mass(m.position.size(), m.position.size());
+  mass.setFromTriplets(entries.begin(), entries.end());
+  double const reach = 0.05 * norm(node(m.reference, node_count(m) - 1) - node(m.reference, 0));
+
+  StaticReport report;
+  Eigen::VectorXd good = m.position;
+  double carried = 0, step = 1;
+  while (carried < 1) {
+    double const share = std::min(1.0, carried + step);
+    auto const r = relax(m, loads, share, mass, reach, options);
+    report.iterations += r.iterations;
+    if (r.converged) {
+      ++report.load_steps;
+      report.residual = r.last.scale > 0 ? r.last.residual.cwiseAbs().maxCoeff() / r.last.scale : 0;
+      carried = share;
+      step *= 2;
+      good = m.position;
+      continue;
+    }
+    step /= 2;
+    if (step < options.min_load_step) give_up(m, r, carried, share);
+    m.position = good;
+  }
+  for (int i = 0; i < m.velocity.size(); ++i)
+    if (!m.fixed[i]) m.velocity[i] = 0;
+  return report;
+}
+
+}  // namespace velum::structure
