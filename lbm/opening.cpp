@@ -12,7 +12,6 @@ constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
 constexpr double relaxation = 0.2;             // of the velocity per step, damps the feedback loop
 constexpr double integral_gain = 2e-4;         // per step; below c_s / 4L for chambers up to 700 cells
 constexpr double slow_steps = 5000;            // memory of the outflow's mean velocity
-constexpr double largest_backflow = 0.05;
 
 /// Velocity of the opening imposed by the half-way rule, whatever the distance q: an opening is
 /// where the scene puts it, and mass stays exact.
@@ -44,9 +43,9 @@ void impose_velocity(Fluid<Real>& fluid, Opening& opening, double U)
   opening.traction = momentum / opening.area - U * U;
 }
 
-/// Anti-bounce-back at the pressure opening.pressure. Of an outflow, where fluid leaves, it is the
-/// cell's equilibrium that is sent back so: the full population would come back undamped, and at low
-/// viscosity a vortex that passes would grow between the opening and the cells before it.
+/// Anti-bounce-back at the pressure opening.pressure. Of an outflow it is an equilibrium that is sent
+/// back: the full population would come back undamped, and at low viscosity a vortex that passes, or
+/// mere noise, would grow between the opening and the cells before it.
 template <class Real>
 void impose_pressure(Fluid<Real>& fluid, Opening& opening, bool outflow)
 {
@@ -66,17 +65,14 @@ void impose_pressure(Fluid<Real>& fluid, Opening& opening, bool outflow)
         density_and_momentum(site, rho, jx, jy);
         double ux = double(jx) / (1 + rho), uy = double(jy) / (1 + rho);
         double const inflow = ux * n[0] + uy * n[1];
-        if (outflow && inflow > 0) {
-          double const limited = inflow < largest_backflow ? inflow : largest_backflow;
-          ux = limited * n[0];
-          uy = limited * n[1];
-        }
+        if (outflow && inflow > 0) ux = uy = 0;
         double const cu = cx * ux + cy * uy;
         double const kinetic = 4.5 * cu * cu - 1.5 * (ux * ux + uy * uy);
         Real const out = site[l.dir];
         Real back = -out + Real(2 * D2Q9::w(l.dir) * (rho_b + (1 + rho_b) * kinetic));
-        if (outflow && inflow <= 0)
-          back = equilibrium<Real>(o, Real(2 * rho_b) - rho, Real(ux), Real(uy));
+        if (outflow)
+          back = equilibrium<Real>(o, inflow > 0 ? Real(rho_b) : Real(2 * rho_b) - rho, Real(ux),
+                                   Real(uy));
         f(o, l.j + 1 + cy, l.i + 1 + cx) = back;
         double const ring = link_ring(symmetry, y0 + l.j + 0.5, l.dir);
         m += ring * double(back - out);
@@ -108,8 +104,8 @@ void apply(Fluid<Real>& fluid, Opening& opening, double target)
     case OpeningKind::velocity: return impose_velocity(fluid, opening, target);
     case OpeningKind::flow_rate: return impose_velocity(fluid, opening, target / opening.area);
     case OpeningKind::traction: {
-      // the mean of two steps: at the lattice's own period of two steps the bare answer of traction to
-      // velocity is so large that the loop would run away
+      // the mean of two steps: at the lattice's own period of two steps the bare answer of
+      // traction to velocity is so large that the loop would run away
       double const wanted = (target - (opening.traction + opening.last_traction) / 2) / sound;
       opening.last_traction = opening.traction;
       opening.integral += integral_gain * wanted;

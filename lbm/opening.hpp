@@ -41,10 +41,11 @@ double opening_area(Fluid<Real> const& fluid, std::vector<Link> const& links, co
 /// traction to the target whatever flows.
 /// pressure, outflow: anti-bounce-back, f_o = -f_i + 2 w rho_b (1 + 9/2 (c.u)^2 - 3/2 u^2), Ginzburg
 /// et al. 2008, with the cell's own velocity. outflow adds rho c_s (U - slow U) to the pressure, so
-/// that a plane wave leaves, and where fluid comes back in drops the tangential velocity and limits
-/// the normal one, after the energy condition u.n >= 0 for a traction-free boundary; where fluid
-/// leaves, f_o = feq_o(2 rho_b - rho, u), the same rule for the cell's equilibrium, which lets vortices
-/// and jets pass at any viscosity.
+/// that a plane wave leaves, and sends back equilibria, which lets vortices and jets pass at low
+/// viscosity: where fluid leaves f_o = feq_o(2 rho_b - rho, u), the same rule for the cell's
+/// equilibrium; where it comes back in feq_o(rho_b, 0): what enters brings no
+/// momentum, or eddies would draw on the reservoir outside without end (the energy condition
+/// u.n >= 0 of a traction-free boundary).
 template <class Real>
 void apply(Fluid<Real>& fluid, Opening& opening, double target);
 

@@ -61,11 +61,17 @@ void restrain(ExplicitStepper& s, Membrane const& m)
 
 ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping)
 {
+  return explicit_stepper(m, damping, m.reference);
+}
+
+ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping,
+                                 Eigen::VectorXd const& state)
+{
   int const nodes = node_count(m);
   ExplicitStepper s;
   s.damping = damping;
   s.mass = lumped_mass(m);
-  s.K0 = damping.beta > 0 ? damping_stiffness(m, m.reference) : uncoupled_nodes(nodes);
+  s.K0 = damping.beta > 0 ? damping_stiffness(m, state) : uncoupled_nodes(nodes);
   s.K0.makeCompressed();
   s.A = s.K0;
   s.diagonal.resize(nodes);

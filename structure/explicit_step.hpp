@@ -29,6 +29,11 @@ struct ExplicitStepper {
 /// the matrix couples no two nodes.
 ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping);
 
+/// The same with the stiffness of a given state: without bending the flat state has no stiffness
+/// across, and beta would damp stretching alone.   state: [2N]
+ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping,
+                                 Eigen::VectorXd const& state);
+
 /// Advances position and velocity by dt in equal sub-steps of length h, symplectic Euler with the
 /// damping and the wall block Z implicit in the velocity:
 ///   (M + h (alpha M + beta K0 + Z)) v' = M v + h (F0 + sum of loads(x) + elastic force(x)),

@@ -37,8 +37,8 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
     auto const& m = scene.materials.at(scene.membrane->material);
     a["membrane"] = "incompressible neo-Hookean, no bending stiffness";
     a["damping"] = fmt::format(
-        "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the flat membrane, which has none "
-        "across: only stretching is damped",
+        "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the state the march starts from (the "
+        "flat membrane, without bending, would have none across)",
         m.damping_mass, m.damping_stiffness);
     a["coupling"] = fmt::format("{}, {}", word(scene.coupling.method), word(scene.coupling.scheme));
   }

@@ -79,7 +79,8 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   state.stepper = structure::explicit_stepper(
       state.membrane,
       {core::to_lattice_frequency(s.derived.units, material.damping_mass),
-       core::to_lattice_time(s.derived.units, material.damping_stiffness)});
+       core::to_lattice_time(s.derived.units, material.damping_stiffness)},
+      state.membrane.position);
   for (PatchOpening const& o : lattice.openings) {
     state.openings.push_back(o.opening);
     s.boundary.push_back(o.boundary);
@@ -87,7 +88,8 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   set_targets(s, scene, 0, false);
   // the state at rest carries the targets already: the controls have nothing to correct yet
   for (std::size_t k = 0; k < state.openings.size(); ++k)
-    state.openings[k].traction = state.openings[k].pressure = s.state.targets[k];
+    state.openings[k].traction = state.openings[k].last_traction = state.openings[k].pressure =
+        state.targets[k];
   fill_at_rest(s, lattice.openings);
   return s;
 }

@@ -23,7 +23,8 @@ struct CoupledScene {
 
   Zone zone(std::uint8_t side, int j) const
   {
-    if (side == 0) return Zone::none;
+    // a diffuse membrane has fluid between its faces, which belongs to neither side
+    if (side == 0 || side == ibm::inside) return Zone::none;
     if (side == ibm::plus_side) return Zone::above;
     return state.fluid.origin[1] + j + 0.5 < divide ? Zone::inside : Zone::outside;
   }

@@ -1,13 +1,13 @@
 // problem:   the incompressibility dilemma: a box without openings, parted by a membrane that moves
-//            in by 2 and 10 % of a chamber (prescribed) or under an outer load (free, clamped at its
-//            rim, rho_s h/(rho_f dx) from 10 to 0.1); planar and axisymmetric, thick and thin
+//            in by 2 and 10 % of a chamber (prescribed) or under an outer load (free, clamped at
+//            its rim, rho_s h/(rho_f dx) from 10 to 0.1); planar and axisymmetric, thick and thin
 // reference: each chamber keeps its mass: rho = V0/V, p = c_s^2 (V0/V - 1), V0 and V by the faces
-// measure:   pressure rise once at rest over the reference, both chambers; its largest excess on the
-//            way; how uniform the pressure is at the end
+// measure:   pressure rise once at rest over the reference, both chambers; its largest excess on
+//            the way; how uniform the pressure is at the end
 // tolerance: 1 %; excess on the way 2 %; uniform to 1e-3 of the rise
-// why:       interpolated bounce-back and the refill of uncovered cells keep mass to second order only,
-//            and a thick face that tilts at its clamp sweeps a little more than its nodes do (0.1 to
-//            0.5 % seen); an unstable coupling would show as excess and as noise
+// why:       interpolated bounce-back and the refill of uncovered cells keep mass to second order
+//            only, and a thick face that tilts at its clamp sweeps a little more than its nodes do
+//            (0.1 to 0.5 % seen); an unstable coupling would show as excess and as noise
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,8 +41,8 @@ std::string name(Case const& c)
 
 tests::PistonSpec closed_box(Case const& c)
 {
-  tests::PistonSpec spec{.nx = 40, .ny = 20, .symmetry = c.symmetry, .place = 20.3,
-                         .thickness = c.thickness};
+  tests::PistonSpec spec{
+      .nx = 40, .ny = 20, .symmetry = c.symmetry, .place = 20.3, .thickness = c.thickness};
   spec.open = false;
   spec.model.viscosity = 0.05;
   return spec;

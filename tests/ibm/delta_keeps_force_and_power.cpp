@@ -1,4 +1,4 @@
-// problem:   the 4-point delta at any place in a cell, in the bulk, over the axis, beside a wall and
+// problem:   the 4-point delta at any place in a cell, in the bulk, over the axis, beside a wall,
 //            across a periodic side; random velocities and marker forces
 // reference: Peskin's conditions: sum 1 (odd and even cells 1/2 each), no first moment, sum of
 //            squares 3/8; and the identities of a spreading that is the adjoint of interpolating:

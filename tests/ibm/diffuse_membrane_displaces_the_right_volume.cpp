@@ -6,8 +6,7 @@
 // tolerance: 1 %
 // why:       friction on the side walls takes a pressure drop of some 1e-4, and the drop a slip of
 //            that over 6.4, half a per cent of the speed; far less where the middle alone travels.
-//            Only a doubled displacement is caught here: a wrong marker
-//            strength shows in the leak (diffuse_membrane_leaks_as_computed)
+//            A wrong marker strength shows in diffuse_membrane_leaks_as_computed, not here
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,14 +1,15 @@
-// problem:   a free membrane, clamped at its rim, in a closed box of low viscosity (tau - 1/2 = 0.009
-//            and 0.0009) gets a small uneven kick; rho_s h/(rho_f dx) from 400 to 0.1; faces half-way
-//            between cells and off that place; explicit (staggered) and implicit coupling
+// problem:   a free membrane, clamped at its rim, in a closed box of low viscosity (tau - 1/2 =
+//            0.009 and 0.0009) gets a small uneven kick; rho_s h/(rho_f dx) from 400 to 0.1; faces
+//            half-way between cells and off that place; explicit (staggered) and implicit coupling
 // reference: no energy comes in: the motion must die down. The staggered bounce-back has the local
 //            limit rho_s h/(rho_f dx) of 34 to 62 for central moments and a half-way plate (a model
 //            of two columns of cells)
 // measure:   speed of the membrane over that of the kick; 1000 counts as blow-up
 // tolerance: implicit: below the kick at every mass ratio. Explicit: blow-up at 10 and below where
-//            the faces lie half-way, at 1 and below wherever; limit within a factor 2 of the model's
-// why:       growth is exponential, so the verdict does not depend on the count; interpolation off the
-//            half-way place damps and moves the limit, but a moving face passes every place
+//            the faces lie half-way, at 1 and below wherever; limit within a factor 2 of the
+//            model's
+// why:       growth is exponential, so the verdict does not depend on the count; interpolation off
+//            the half-way place damps and moves the limit, but a moving face passes every place
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -102,9 +103,10 @@ TEST(ExplicitCoupling, StopsBeingStableAtAMassRatioOfSomeTens)
   for (double viscosity : {0.003, 0.0003})
     for (double place : {12.0, 12.2}) {
       double const m = limit({place, 0.01, viscosity});
-      std::printf("explicit coupling, tau - 1/2 = %g, face %s: unstable below rho_s h/(rho_f dx) "
-                  "= %.2g\n",
-                  3 * viscosity, place == 12.0 ? "half-way" : "0.2 of a cell off it", m);
+      std::printf(
+          "explicit coupling, tau - 1/2 = %g, face %s: unstable below rho_s h/(rho_f dx) "
+          "= %.2g\n",
+          3 * viscosity, place == 12.0 ? "half-way" : "0.2 of a cell off it", m);
       if (place != 12.0) continue;
       EXPECT_GT(m, 34 / 2.0);
       EXPECT_LT(m, 62 * 2.0);

@@ -1,10 +1,10 @@
 // problem:   a bulged membrane held at fixed nodes across a closed box, density +- 2 % on its two
-//            sides; its rim ends at the walls or one cell inside them, walls at 0, 1/4, 1/2, 3/4 of a
-//            cell from the half-way places; planar and axisymmetric, thin and thick
+//            sides; its rim ends at the walls or one cell inside them, walls at 0, 1/4, 1/2, 3/4 of
+//            a cell from the half-way places; planar and axisymmetric, thin and thick
 // reference: nothing crosses: both masses stay. And when the minus side is stirred by random
 //            densities and velocities of 2 %, the plus side must not hear of it
-// measure:   relative change of the excess mass of each side after 2000 steps; largest change of any
-//            population of the still side after 1000 steps
+// measure:   relative change of the excess mass of each side after 2000 steps; largest change of
+//            any population of the still side after 1000 steps
 // tolerance: 1e-13 double, 5e-7 single; 1e-15 of the excess density
 // why:       sealing is topology, so only round-off may show: of 9 numbers per cell, which in the
 //            rest state settles at once. A single link that let through 1e-6 of what it carries
@@ -40,14 +40,15 @@ std::string name(Case const& c)
 int const nx = 30, ny = 18;
 double const excess = 0.02;
 
-/// A bulged membrane, all nodes fixed, between walls at y = 3 + offset (planar) and y = 14 + offset.
+/// A bulged membrane, all nodes fixed, between walls at y = 3 + offset (planar) and y = 14 +
+/// offset.
 template <class Real>
 tests::SharpSceneOf<Real> clamped(Case const& c)
 {
   bool const round = c.symmetry == Symmetry::axisymmetric;
   double const top = 14 + c.wall, bottom = 3 + c.wall;
-  tests::PistonSpec spec{.nx = nx, .ny = ny, .symmetry = c.symmetry, .place = 13.3,
-                         .thickness = c.thickness};
+  tests::PistonSpec spec{
+      .nx = nx, .ny = ny, .symmetry = c.symmetry, .place = 13.3, .thickness = c.thickness};
   spec.open = false;
   core::Obstacle const above = core::box({-50, top}, {100, 100});
   spec.solids = round ? above : core::unite({above, core::box({-50, -100}, {100, bottom})});
@@ -107,8 +108,7 @@ double disturbance(tests::SharpSceneOf<Real> const& s, double rho)
     for (int i = 0; i < nx; ++i)
       if (s.body.cells.at(i, j) == ibm::fluid_plus)
         for (int d = 0; d < 9; ++d)
-          worst = std::max(worst,
-                           std::abs(double(f(d, j + 1, i + 1)) - lbm::D2Q9::w(d) * rho));
+          worst = std::max(worst, std::abs(double(f(d, j + 1, i + 1)) - lbm::D2Q9::w(d) * rho));
   return worst;
 }
 
@@ -136,15 +136,9 @@ void expect_masses_kept(double tolerance)
   }
 }
 
-TEST(SharpMembrane, KeepsTheMassOfBothSidesInDoublePrecision)
-{
-  expect_masses_kept<double>(1e-13);
-}
+TEST(SharpMembrane, KeepsTheMassOfBothSidesInDoublePrecision) { expect_masses_kept<double>(1e-13); }
 
-TEST(SharpMembrane, KeepsTheMassOfBothSidesInSinglePrecision)
-{
-  expect_masses_kept<float>(5e-7);
-}
+TEST(SharpMembrane, KeepsTheMassOfBothSidesInSinglePrecision) { expect_masses_kept<float>(5e-7); }
 
 TEST(SharpMembrane, LetsNothingOfAStormThrough)
 {

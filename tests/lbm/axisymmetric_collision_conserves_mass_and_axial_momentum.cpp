@@ -1,13 +1,14 @@
 // problem:   one collision of random populations at radii from half a cell to 100, planar and
 //            axisymmetric, each collision, with and without Smagorinsky's model; a closed round box
 //            with a vortex ring in it
-// reference: populations weighted by the ring of the mid-point of their link, y + c_y/2 going out and
-//            y - c_y/2 coming in, keep mass and axial momentum (lbm/README.md); planar collisions keep
-//            mass and momentum; fluid at rest stays
-// measure:   change of the sums over one collision; of the box's mass over 3000 steps, over the mass
+// reference: populations weighted by the ring of the mid-point of their link, y + c_y/2 going out
+//            and y - c_y/2 coming in, keep mass and axial momentum (lbm/README.md); planar
+//            collisions keep mass and momentum; fluid at rest stays
+// measure:   change of the sums over one collision; of the box's mass over 3000 steps, over the
+//            mass
 // tolerance: 1e-14 of the largest term; rest exactly zero; box 1e-13 in double, 1e-6 in single
-// why:       the identities are exact in the discrete scheme; what remains is round-off, which adds up
-//            at random over the steps
+// why:       the identities are exact in the discrete scheme; what remains is round-off, which adds
+//            up at random over the steps
 #include <gtest/gtest.h>
 
 #include <cmath>

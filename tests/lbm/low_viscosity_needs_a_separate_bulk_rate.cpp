@@ -1,14 +1,14 @@
 // problem:   impulsive pressure start through a plane slit of N cells under a plate 5N thick at a
-//            valve's viscosity: Bernoulli velocity U = 0.1, U N/nu = 2500, so that tau - 1/2 = 2.4e-4
-//            (N = 2) and 4.8e-4 (N = 4)
+//            valve's viscosity: Bernoulli velocity U = 0.1, U N/nu = 2500, so that tau - 1/2 =
+//            2.4e-4 (N = 2) and 4.8e-4 (N = 4)
 // reference: an earlier program at these numbers: BGK and TRT blow up; central moments, whose trace
 //            relaxes at its own rate 1, give discharge coefficients of 0.73 and 0.78 in a wide tank
-// measure:   whether the flow stays finite and below the lattice speed; discharge over the second half
-//            of the run, q/(N U)
+// measure:   whether the flow stays finite and below the lattice speed; discharge over the second
+//            half of the run, q/(N U)
 // tolerance: blow-up of BGK and TRT; central moments bounded, discharge between 0.4 and 0.9
-// why:       start-up sound and wall corners feed modes that only the trace's own rate damps. Here the
-//            slow mean of the outflow still holds back part of the pressure (0.49 and 0.54 seen), so
-//            the discharge is a check of sense, not of accuracy
+// why:       start-up sound and wall corners feed modes that only the trace's own rate damps. Here
+//            the slow mean of the outflow still holds back part of the pressure (0.49 and 0.54
+//            seen), so the discharge is a check of sense, not of accuracy
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,8 +34,9 @@ Outcome slit(lbm::Collision collision, double magic, int N, int steps)
       lbm::make_fluid<double>(nx, ny, {0, 0}, core::Symmetry::planar, model),
       core::box({double(up), double(N)}, {double(up + plate), 100.0 * N}),
       [&](lbm::WallHit const& h) {
-        return h.i == 0 && lbm::D2Q9::cx(h.dir) < 0 ? 0
-               : h.i == nx - 1 && lbm::D2Q9::cx(h.dir) > 0 ? 1 : -1;
+        return h.i == 0 && lbm::D2Q9::cx(h.dir) < 0        ? 0
+               : h.i == nx - 1 && lbm::D2Q9::cx(h.dir) > 0 ? 1
+                                                           : -1;
       },
       {{lbm::OpeningKind::pressure, {1, 0}, U * U / 2}, {lbm::OpeningKind::outflow, {-1, 0}, 0.0}});
   double volume = 0;

@@ -1,5 +1,5 @@
-// problem:   a flow-rate inlet into a tube with an outflow, from rest, planar and axisymmetric, double
-//            and single precision
+// problem:   a flow-rate inlet into a tube with an outflow, from rest, planar and axisymmetric,
+//            double and single precision
 // reference: its mass flow, which is the volume per step at density 1; in the end it leaves again
 // measure:   relative error of the mass flow, every step; of the outflow at the end
 // tolerance: 1e-13 double, 1e-5 single; outflow 1 %

@@ -1,10 +1,11 @@
-// problem:   a plane pressure pulse, Gaussian of 5 to 40 cells, runs into an opening across its way, at
-//            nu = 0.001 and 0.1; outflow, traction and, for comparison, fixed pressure
+// problem:   a plane pressure pulse, Gaussian of 5 to 40 cells, runs into an opening across its
+//            way, at nu = 0.001 and 0.1; outflow, traction and, for comparison, fixed pressure
 // reference: none of it comes back
 // measure:   largest density in the tube once the pulse has met the opening, over that before
 // tolerance: 10 % for outflow and traction; the fixed pressure sends back more than half
-// why:       both relax to the characteristic with a delay of 5 steps, which short waves see, and hold
-//            on to their mean pressure over thousands, which long ones begin to see: 4 to 9 % seen
+// why:       both relax to the characteristic with a delay of 5 steps, which short waves see, and
+//            hold on to their mean pressure over thousands, which long ones begin to see: 4 to 9 %
+//            seen
 #include <gtest/gtest.h>
 
 #include <cmath>

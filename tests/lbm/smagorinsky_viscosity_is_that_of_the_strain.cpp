@@ -1,12 +1,12 @@
-// problem:   Smagorinsky's model without strain; in plane shear between a wall and a lid, n = 12, at
-//            small, middling and large molecular viscosity; switched off
-// reference: nu_t = (C dx)^2 |S|, |S| = |du/dy| of the computed profile, whose shear stress is
-//            rho (nu + nu_t) du/dy (Smagorinsky, Mon. Weather Rev. 91 (1963) 99)
+// problem:   Smagorinsky's model without strain; in plane shear between a wall and a lid, n = 12,
+//            at small, middling and large molecular viscosity; switched off
+// reference: nu_t = (C dx)^2 |S|, |S| = |du/dy| of the computed profile, whose shear stress is rho
+//            (nu + nu_t) du/dy (Smagorinsky, Mon. Weather Rev. 91 (1963) 99)
 // measure:   reported mean and largest eddy viscosity; momentum that crosses a plane per step
 // tolerance: 1 %; no strain: 1e-12 of the molecular viscosity; off: bitwise
-// why:       the local non-equilibrium gives |S| up to terms of the second order in the velocity, which
-//            the wall rows have most of with TRT (hence a slow lid, and a constant out of all custom
-//            to give the eddies a share); the profile is linear, so nothing else is in error
+// why:       the local non-equilibrium gives |S| up to terms of the second order in the velocity,
+//            which the wall rows have most of with TRT (hence a slow lid, and a constant out of all
+//            custom to give the eddies a share); the profile is linear, so nothing else is in error
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,9 +19,9 @@ namespace velum {
 namespace {
 
 struct Shear {
-  double rate;           // |du/dy| in the middle
+  double rate;  // |du/dy| in the middle
   lbm::EddyViscosity reported;
-  double stress;         // momentum flux through the middle
+  double stress;  // momentum flux through the middle
 };
 
 Shear shear(lbm::Collision collision, double nu, double constant)
@@ -30,9 +30,9 @@ Shear shear(lbm::Collision collision, double nu, double constant)
   double const lid = 0.005;
   lbm::Model model{collision, nu, 1.0 / 8, constant};
   model.periodic_x = true;
-  auto flow = tests::make_flow(
-      lbm::make_fluid<double>(4, n, {0, 0}, core::Symmetry::planar, model), tests::no_solids(),
-      [&](lbm::WallHit const& h) { return h.at[1] > n / 2.0 ? -2 : -1; });
+  auto flow = tests::make_flow(lbm::make_fluid<double>(4, n, {0, 0}, core::Symmetry::planar, model),
+                               tests::no_solids(),
+                               [&](lbm::WallHit const& h) { return h.at[1] > n / 2.0 ? -2 : -1; });
   flow.wall_velocity = {lid, 0};
   Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", n, 4);
   for (int j = 0; j < n; ++j)

@@ -1,10 +1,10 @@
-// problem:   decaying shear wave u = u0 sin(2 pi y/n), n = 64, in a periodic strip, for each collision
-//            in double and single precision, nu from 1e-3 to 0.5
+// problem:   decaying shear wave u = u0 sin(2 pi y/n), n = 64, in a periodic strip, for each
+//            collision in double and single precision, nu from 1e-3 to 0.5
 // reference: amplitude ~ exp(-nu k^2 t)
 // measure:   viscosity from the decay of the amplitude between two times, relative error
 // tolerance: 1 %
-// why:       the scheme's own error is of order k^2 = 0.01 times a coefficient of the relaxation times
-//            (up to 0.75 at nu = 0.5); a wrong rate is wrong by its full size
+// why:       the scheme's own error is of order k^2 = 0.01 times a coefficient of the relaxation
+//            times (up to 0.75 at nu = 0.5); a wrong rate is wrong by its full size
 #include <gtest/gtest.h>
 
 #include <cmath>

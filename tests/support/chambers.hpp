@@ -18,8 +18,8 @@ struct Chambers {
   Chamber side[2];
 };
 
-/// Volume between x = 0 and a face within 0 <= y <= height, signed parts summed: the face may run on
-/// into the walls.
+/// Volume between x = 0 and a face within 0 <= y <= height, signed parts summed: the face may run
+/// on into the walls.
 inline double volume_below(ibm::FaceLine const& face, double height, core::Symmetry symmetry)
 {
   double volume = 0;
