@@ -56,12 +56,13 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   s.derived = lattice.derived;
   if (contact::touches(hydrostatic.report.patch)) {
     auto const& patch = hydrostatic.report.patch;
+    // where the face touches, not the mid-surface: on a rounded edge they lie well apart
+    structure::Faces faces;
+    structure::locate_faces(hydrostatic.membrane, hydrostatic.membrane.position, 1.0, faces);
     double const middle = (patch.begin + patch.end) / 2;
-    int const a = std::min(static_cast<int>(middle),
-                           structure::node_count(hydrostatic.membrane) - 2);
-    double const y0 = hydrostatic.membrane.position[2 * a + 1];
-    double const y1 = hydrostatic.membrane.position[2 * a + 3];
-    s.divide = y0 + (middle - a) * (y1 - y0);
+    auto const a = std::min(static_cast<std::size_t>(middle), faces.minus.size() - 2);
+    s.divide = faces.minus[a][1] +
+               (middle - double(a)) * (faces.minus[a + 1][1] - faces.minus[a][1]);
   }
   auto& state = s.state;
   state.membrane = hydrostatic.membrane;

@@ -1,29 +1,11 @@
 #include "tests/cases/scene_file.hpp"
+#include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 
 namespace velum::tests {
 namespace {
-
-struct Outcome {
-  int exit_code;
-  std::string text;  // stdout and stderr
-};
-
-/// Runs the built program with these arguments, as a shell would.
-Outcome velum(std::string const& arguments)
-{
-  std::FILE* pipe = popen(("'" VELUM_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
-  std::string text;
-  std::array<char, 4096> part{};
-  while (auto const n = std::fread(part.data(), 1, part.size(), pipe)) text.append(part.data(), n);
-  int const status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
-}
 
 struct ProgramOnBadInput : testing::Test {
   TemporaryFolder folder;
@@ -35,21 +17,21 @@ struct ProgramOnBadInput : testing::Test {
 TEST_F(ProgramOnBadInput, BadValueInTheSceneOrByOverride)
 {
   auto const bad_key =
-      velum("run " + scene + " --out " + folder.path.string() + "/out --set lattice.dxx=1");
+      velum_program("run " + scene + " --out " + folder.path.string() + "/out --set lattice.dxx=1");
   EXPECT_EQ(bad_key.exit_code, 2);
   EXPECT_NE(bad_key.text.find("--set: lattice.dxx is not a key"), std::string::npos)
       << bad_key.text;
   EXPECT_FALSE(std::filesystem::exists(folder.path / "out"));
 
   std::ofstream(scene) << edited(small_valve, "dx = \"100 um\"", "dx = \"-1 um\"");
-  auto const bad_value = velum("check " + scene);
+  auto const bad_value = velum_program("check " + scene);
   EXPECT_EQ(bad_value.exit_code, 2);
   EXPECT_EQ(bad_value.text, scene + ":4: lattice.dx must be positive, but is \"-1 um\".\n");
 }
 
 TEST_F(ProgramOnBadInput, MissingFile)
 {
-  auto const outcome = velum("run no_such_scene.toml");
+  auto const outcome = velum_program("run no_such_scene.toml");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.text, "no_such_scene.toml: there is no such scene file.\n");
 }
@@ -57,7 +39,7 @@ TEST_F(ProgramOnBadInput, MissingFile)
 TEST_F(ProgramOnBadInput, OutputFolderThatCannotBeWritten)
 {
   // A folder below a file: nobody can make it, not even root.
-  auto const outcome = velum("run " + scene + " --out " + scene + "/out");
+  auto const outcome = velum_program("run " + scene + " --out " + scene + "/out");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.text.find("--out: the results folder " + scene + "/out cannot be made"),
             std::string::npos)
@@ -66,7 +48,7 @@ TEST_F(ProgramOnBadInput, OutputFolderThatCannotBeWritten)
 
 TEST_F(ProgramOnBadInput, OutputFolderOfTheSceneItself)
 {
-  auto const outcome = velum("run " + scene + " --out " + folder.path.string());
+  auto const outcome = velum_program("run " + scene + " --out " + folder.path.string());
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.text.find("holds the scene file itself"), std::string::npos) << outcome.text;
 }
@@ -77,7 +59,7 @@ TEST_F(ProgramOnBadInput, MisuseOfTheCommandLine)
   EXPECT_EQ(velum("run").exit_code, 2);
   EXPECT_EQ(velum("run " + scene + " --nonsense").exit_code, 2);
   EXPECT_EQ(velum("info --threads 0").exit_code, 2);
-  auto const outcome = velum("chek " + scene);
+  auto const outcome = velum_program("chek " + scene);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(
       outcome.text,
@@ -88,11 +70,11 @@ TEST_F(ProgramOnBadInput, GoodUseExitsWithZeroAndWithoutNoiseFromKokkos)
 {
   EXPECT_EQ(velum("--help").exit_code, 0);
   EXPECT_EQ(velum("run --help").exit_code, 0);
-  auto const info = velum("info --threads 1");
+  auto const info = velum_program("info --threads 1");
   EXPECT_EQ(info.exit_code, 0);
   EXPECT_EQ(info.text.find("WARNING"), std::string::npos) << info.text;
   EXPECT_NE(info.text.find("toml++"), std::string::npos);
-  auto const check = velum("check " + scene + " --threads 1 --set inlet.pressure=\"70 kPa\"");
+  auto const check = velum_program("check " + scene + " --threads 1 --set inlet.pressure=\"70 kPa\"");
   EXPECT_EQ(check.exit_code, 0) << check.text;
   EXPECT_NE(check.text.find("mass ratio"), std::string::npos);
 }

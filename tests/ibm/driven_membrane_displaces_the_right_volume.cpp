@@ -12,25 +12,15 @@
 
 #include <cmath>
 
+#include "tests/support/chambers.hpp"
 #include "tests/support/piston.hpp"
 
 namespace velum {
 namespace {
 
-/// Volume between x = 0 and the minus face.
-double volume_below(tests::SharpScene const& s)
+double volume(tests::SharpScene const& s)
 {
-  auto const& face = s.body.surface.faces.minus;
-  double volume = 0;
-  for (std::size_t a = 0; a + 1 < face.size(); ++a) {
-    auto const [xa, ya] = face[a].c;
-    auto const [xb, yb] = face[a + 1].c;
-    double const dy = yb - ya;
-    volume += s.fluid.symmetry == core::Symmetry::planar
-                  ? dy * (xa + xb) / 2
-                  : 2 * std::acos(-1.0) * dy * (xa * (2 * ya + yb) + xb * (ya + 2 * yb)) / 6;
-  }
-  return volume;
+  return tests::volume_below(s.body.surface.minus, s.fluid.ny, s.fluid.symmetry);
 }
 
 /// @param share  of the speed, over y
@@ -47,13 +37,13 @@ double displaced_over_swept(
     ibm::step(s);
   }
   double out = 0;
-  double const before = volume_below(s);
+  double const before = volume(s);
   int const steps = int(std::lround(20 / speed));
   for (int t = 0; t < steps; ++t) {
     ibm::step(s);
     out -= s.openings[0].mass_flow;
   }
-  return out / (before - volume_below(s));
+  return out / (before - volume(s));
 }
 
 tests::PistonSpec box(core::Symmetry symmetry, double thickness)
