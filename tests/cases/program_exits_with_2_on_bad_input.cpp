@@ -55,10 +55,10 @@ TEST_F(ProgramOnBadInput, OutputFolderOfTheSceneItself)
 
 TEST_F(ProgramOnBadInput, MisuseOfTheCommandLine)
 {
-  EXPECT_EQ(velum("").exit_code, 2);
-  EXPECT_EQ(velum("run").exit_code, 2);
-  EXPECT_EQ(velum("run " + scene + " --nonsense").exit_code, 2);
-  EXPECT_EQ(velum("info --threads 0").exit_code, 2);
+  EXPECT_EQ(velum_program("").exit_code, 2);
+  EXPECT_EQ(velum_program("run").exit_code, 2);
+  EXPECT_EQ(velum_program("run " + scene + " --nonsense").exit_code, 2);
+  EXPECT_EQ(velum_program("info --threads 0").exit_code, 2);
   auto const outcome = velum_program("chek " + scene);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(
@@ -68,8 +68,8 @@ TEST_F(ProgramOnBadInput, MisuseOfTheCommandLine)
 
 TEST_F(ProgramOnBadInput, GoodUseExitsWithZeroAndWithoutNoiseFromKokkos)
 {
-  EXPECT_EQ(velum("--help").exit_code, 0);
-  EXPECT_EQ(velum("run --help").exit_code, 0);
+  EXPECT_EQ(velum_program("--help").exit_code, 0);
+  EXPECT_EQ(velum_program("run --help").exit_code, 0);
   auto const info = velum_program("info --threads 1");
   EXPECT_EQ(info.exit_code, 0);
   EXPECT_EQ(info.text.find("WARNING"), std::string::npos) << info.text;
