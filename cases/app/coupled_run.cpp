@@ -12,6 +12,7 @@
 #include "cases/app/dump.hpp"
 #include "cases/app/progress.hpp"
 #include "cases/app/stop.hpp"
+#include "core/check.hpp"
 #include "core/output/series.hpp"
 
 namespace velum::cases {
@@ -61,6 +62,19 @@ void record(Output& out, CoupledScene<Real, Body> const& s, Measurement const& m
   while (out.next_dump <= m.time + 1e-12) out.next_dump += output_every;
 }
 
+/// One step; where the membrane fails in it, the sentence gets the step and the likely cause.
+template <class Real, template <class> class Body>
+void step(CoupledScene<Real, Body>& s, long n)
+{
+  try {
+    ibm::step(s.state);
+  } catch (core::Divergence const& failure) {
+    throw core::Divergence(fmt::format(
+        "Diverged at step {} (t = {:.4g} s), body membrane: {}. Likely cause: {}.", n,
+        core::to_si_time(s.derived.units, double(n)), failure.what(), likely_cause(s)));
+  }
+}
+
 template <class Real, template <class> class Body>
 Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScene const& start,
                   double smagorinsky)
@@ -95,7 +109,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   bool stopped = false;
   for (long n = 1; n <= total && !stopped; ++n) {
     set_targets(s, scene, double(n) * dt, n > settle);
-    ibm::step(s.state);
+    step(s, n);
     add_flows(flows, s);
     if (n % guard_every == 0 || n == total) {
       lbm::Observation const seen = lbm::observe(s.state.fluid);

@@ -90,6 +90,17 @@ Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, doubl
 }
 
 template <class Real, template <class> class Body>
+std::string likely_cause(CoupledScene<Real, Body> const& s)
+{
+  if (s.state.scheme == ibm::Scheme::explicit_)
+    return "coupling.scheme = \"explicit\" is unstable at this mass ratio; use \"implicit\"";
+  if (s.state.fluid.model.collision != lbm::Collision::central_moments)
+    return "this collision loses stability at tau - 1/2 below about 1e-3; use "
+           "lattice.collision = \"central_moments\"";
+  return "the time step is too long for what happens here; use a smaller lattice.mach";
+}
+
+template <class Real, template <class> class Body>
 void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long step)
 {
   bool const lost = seen.not_finite > 0;
@@ -103,18 +114,11 @@ void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long
       lost ? fmt::format("the fluid is no longer finite in {} cells", seen.not_finite)
       : mach >= 1 ? fmt::format("the fluid moves at Mach {:.2f}", mach)
                   : fmt::format("the density is off by {:.0f} %", 100 * density);
-  std::string const cause =
-      s.state.scheme == ibm::Scheme::explicit_
-          ? "coupling.scheme = \"explicit\" is unstable at this mass ratio; use \"implicit\""
-      : f.model.collision != lbm::Collision::central_moments
-          ? "this collision loses stability at tau - 1/2 below about 1e-3; use "
-            "lattice.collision = \"central_moments\""
-          : "the time step is too long for what happens here; use a smaller lattice.mach";
   throw core::Divergence(fmt::format(
       "Diverged at step {} (t = {:.4g} s): {}, worst in cell ({}, {}) at axial {:.3g} mm, radial "
       "{:.3g} mm. Likely cause: {}.",
       step, core::to_si_time(s.derived.units, double(step)), what, seen.worst_i, seen.worst_j,
-      1e3 * at[0], 1e3 * at[1], cause));
+      1e3 * at[0], 1e3 * at[1], likely_cause(s)));
 }
 
 template void add_flows(Flows&, CoupledScene<float, ibm::Sharp> const&);
@@ -129,5 +133,9 @@ template void guard(CoupledScene<double, ibm::Sharp> const&, lbm::Observation co
 template void add_flows(Flows&, CoupledScene<double, ibm::Diffuse> const&);
 template Measurement measure(CoupledScene<double, ibm::Diffuse> const&, Flows const&, double);
 template void guard(CoupledScene<double, ibm::Diffuse> const&, lbm::Observation const&, long);
+template std::string likely_cause(CoupledScene<float, ibm::Sharp> const&);
+template std::string likely_cause(CoupledScene<float, ibm::Diffuse> const&);
+template std::string likely_cause(CoupledScene<double, ibm::Sharp> const&);
+template std::string likely_cause(CoupledScene<double, ibm::Diffuse> const&);
 
 }  // namespace velum::cases

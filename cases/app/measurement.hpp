@@ -33,6 +33,10 @@ void add_flows(Flows& flows, CoupledScene<Real, Body> const& s);
 template <class Real, template <class> class Body>
 Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, double time);
 
+/// What most often makes a scene with these settings diverge, and what to do.
+template <class Real, template <class> class Body>
+std::string likely_cause(CoupledScene<Real, Body> const& s);
+
 /// Throws core::Divergence with step, cell, place and likely cause when the fluid has left the range
 /// of the method: not finite, faster than its sound, or density off by half.
 template <class Real, template <class> class Body>
