@@ -25,14 +25,11 @@ struct CellChange {
 struct Cells {
   Labels labels;
   FaceIndex plus_index, minus_index;
-  std::vector<std::uint8_t> state;   // [ny][nx]
-  std::vector<int> near_wall;        // sites whose wall is near enough for a film
-  std::vector<CellChange> changes;   // of the last update
+  std::vector<std::uint8_t> state;  // [ny][nx]
+  std::vector<int> near_wall;       // sites whose wall is near enough for a film
+  std::vector<CellChange> changes;  // of the last update
 
-  std::uint8_t at(int i, int j) const
-  {
-    return state[static_cast<std::size_t>(j * labels.nx + i)];
-  }
+  std::uint8_t at(int i, int j) const { return state[static_cast<std::size_t>(j * labels.nx + i)]; }
 };
 
 Cells make_cells(lbm::Walls const& walls, core::Vec2 origin);

@@ -10,8 +10,8 @@
 namespace velum::ibm {
 
 /// Contact of a membrane with the seat as a structural load. Markers sit on the nodes; their areas
-/// are those of the undeformed nodes and their offsets the half thickness that was last set, so that
-/// within a solve or a step the contact force is the derivative of an energy.
+/// are those of the undeformed nodes and their offsets the half thickness that was last set, so
+/// that within a solve or a step the contact force is the derivative of an energy.
 struct SeatContact {
   contact::Contact contact;
   core::Markers markers;

@@ -20,13 +20,13 @@ template <class Real, template <class> class Body>
 struct Coupled {
   lbm::Fluid<Real> fluid;
   std::vector<lbm::Opening> openings;
-  std::vector<double> targets;                  // of the openings, as opening.hpp says
+  std::vector<double> targets;  // of the openings, as opening.hpp says
   Body<Real> body;
   structure::Membrane membrane;
   structure::ExplicitStepper stepper;
-  std::vector<structure::Load> loads;           // spring and contact
-  std::shared_ptr<SeatContact> seat;            // empty without contact
-  core::Obstacle walls;                         // all rigid solids
+  std::vector<structure::Load> loads;  // spring and contact
+  std::shared_ptr<SeatContact> seat;   // empty without contact
+  core::Obstacle walls;                // all rigid solids
   FacePressure pressure;
   Scheme scheme = Scheme::implicit;
   int substeps = 1;

@@ -5,8 +5,8 @@ namespace velum::ibm {
 
 /// Where a link meets a face.
 struct Hit {
-  double q = 0.5;   // share of the link
-  int first = 0;    // nodes that carry the place, and the share of the second
+  double q = 0.5;  // share of the link
+  int first = 0;   // nodes that carry the place, and the share of the second
   int second = 0;
   double share = 0;
   bool found = false;

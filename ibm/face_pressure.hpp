@@ -21,8 +21,8 @@ namespace velum::ibm {
 /// The mean runs over some steps, for only the link forces are coupled implicitly.
 struct FacePressure {
   contact::LipPressure lip = contact::LipPressure::linear;
-  std::vector<double> p[2];     // plus and minus face, less that of the rest state   [N]
-  std::vector<char> film[2];    // 1 where the face is nearer than half a cell to a wall [N]
+  std::vector<double> p[2];   // plus and minus face, less that of the rest state   [N]
+  std::vector<char> film[2];  // 1 where the face is nearer than half a cell to a wall [N]
   bool started = false;
 };
 

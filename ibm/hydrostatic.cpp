@@ -7,8 +7,7 @@
 namespace velum::ibm {
 
 structure::FacePressure pressure_by_region(structure::Membrane const& membrane,
-                                           contact::Patch const& patch,
-                                           HydrostaticLoad const& load)
+                                           contact::Patch const& patch, HydrostaticLoad const& load)
 {
   using structure::Side;
   auto pressure = structure::uniform_pressure(membrane, Side::plus, load.above);
@@ -45,24 +44,22 @@ HydrostaticReport hydrostatic_equilibrium(structure::Membrane& membrane,
 {
   constexpr int max_updates = 60;
   HydrostaticReport report;
-  structure::FacePressure pressure;
-  loads.push_back(structure::pressure_load(membrane, pressure));
+  loads.push_back(structure::pressure_load(membrane, report.pressure));
   loads.push_back(contact_load(seat));
   press(*seat, membrane.position);
   report.patch = contact::contact_patch(seat->contact, seat->markers);
   for (; report.updates < max_updates; ++report.updates) {
-    pressure = pressure_by_region(membrane, report.patch, load);
+    report.pressure = pressure_by_region(membrane, report.patch, load);
     Eigen::VectorXd const before = membrane.position;
     report.iterations += structure::static_solve(membrane, loads).iterations;
     double const moved = (membrane.position - before).cwiseAbs().maxCoeff();
     press(*seat, membrane.position);
     report.patch = contact::contact_patch(seat->contact, seat->markers);
-    double const change =
-        augment ? contact::update_multipliers(seat->contact, seat->markers) : 0;
+    double const change = augment ? contact::update_multipliers(seat->contact, seat->markers) : 0;
     // only now the offsets: patch and multipliers belong to those the solve was made with
     follow_thickness(*seat, membrane);
-    bool const still = moved < 1e-9 * membrane.reference.maxCoeff() &&
-                       change < 1e-6 * membrane.shear_modulus;
+    bool const still =
+        moved < 1e-9 * membrane.reference.maxCoeff() && change < 1e-6 * membrane.shear_modulus;
     if (report.updates > 0 && still) break;
   }
   return report;

@@ -12,16 +12,17 @@ namespace velum::ibm {
 /// A membrane on a seat in fluid at rest: the pressure is constant in each connected region. The
 /// seat's contact patch parts the minus side in two.
 struct HydrostaticLoad {
-  double above = 0;     // on the plus face
-  double inside = 0;    // on the minus face, y below the patch
-  double outside = 0;   // on the minus face, y beyond the patch
+  double above = 0;    // on the plus face
+  double inside = 0;   // on the minus face, y below the patch
+  double outside = 0;  // on the minus face, y beyond the patch
   contact::LipPressure lip = contact::LipPressure::linear;
 };
 
 struct HydrostaticReport {
   contact::Patch patch;
-  int iterations = 0;   // linear solves of all Newton solves
-  int updates = 0;      // of contact patch, thickness and multipliers
+  structure::FacePressure pressure;  // of the last solve
+  int iterations = 0;                // linear solves of all Newton solves
+  int updates = 0;                   // of contact patch, thickness and multipliers
 };
 
 /// Pressure on both faces for a contact patch whose ends lie anywhere along the elements; marker a

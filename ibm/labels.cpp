@@ -64,8 +64,10 @@ bool classify(Labels& labels, Surface const& surface)
     labels.plus[row] = plus[row];
     labels.minus[row] = minus[row];
     for (int i = 0; i < labels.nx; ++i)
-      labels.side[static_cast<std::size_t>(j * labels.nx + i)] =
-          !is_below(plus[row], i) ? plus_side : is_below(minus[row], i) ? minus_side : inside;
+      labels.side[static_cast<std::size_t>(j * labels.nx + i)] = !is_below(plus[row], i) ? plus_side
+                                                                 : is_below(minus[row], i)
+                                                                     ? minus_side
+                                                                     : inside;
   }
   return changed;
 }

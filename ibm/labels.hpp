@@ -9,10 +9,10 @@ namespace velum::ibm {
 /// On which side of the membrane a lattice site lies.
 enum Side : std::uint8_t { plus_side = 1, minus_side = 2, inside = 3 };
 
-/// Sides of all sites of the box, by parity of the crossings of each row of the lattice with the two
-/// faces. A segment crosses the row y when exactly one of its ends satisfies y_end <= y: the half-open
-/// rule counts a vertex on the row once or twice as topology wants, so labels are watertight whatever
-/// the geometry, and a link is cut exactly when its ends differ.
+/// Sides of all sites of the box, by parity of the crossings of each row of the lattice with the
+/// two faces. A segment crosses the row y when exactly one of its ends satisfies y_end <= y: the
+/// half-open rule counts a vertex on the row once or twice as topology wants, so labels are
+/// watertight whatever the geometry, and a link is cut exactly when its ends differ.
 struct Labels {
   int nx = 0, ny = 0;
   core::Vec2 origin;

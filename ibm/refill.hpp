@@ -4,7 +4,8 @@
 
 namespace velum::ibm {
 
-/// A site that the membrane has uncovered and the neighbours it is filled from, a bit per direction.
+/// A site that the membrane has uncovered and the neighbours it is filled from, a bit per
+/// direction.
 struct Uncovered {
   int i, j;
   unsigned neighbours;

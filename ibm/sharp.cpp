@@ -90,8 +90,7 @@ void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const&
         lbm::Link const l = links(k);
         int const i = l.i + 1, j = l.j + 1;
         Real const out = f(l.dir, j, i);
-        Real const behind =
-            l.second ? f(l.dir, j - D2Q9::cy(l.dir), i - D2Q9::cx(l.dir)) : out;
+        Real const behind = l.second ? f(l.dir, j - D2Q9::cy(l.dir), i - D2Q9::cx(l.dir)) : out;
         Real const back = f(D2Q9::opposite(l.dir), j, i);
         Real rho = 0;
         for (int d = 0; d < 9; ++d) rho += f(d, j, i);
@@ -164,9 +163,9 @@ void move(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const&
     for (int d = 1; d < D2Q9::Q; ++d) {
       int const i = c.i + D2Q9::cx(d), j = c.j + D2Q9::cy(d);
       if (i < 0 || i >= fluid.nx || j < 0 || j >= fluid.ny) continue;
-      bool const fresh = std::any_of(
-          body.cells.changes.begin(), body.cells.changes.end(),
-          [&](CellChange const& other) { return other.i == i && other.j == j; });
+      bool const fresh =
+          std::any_of(body.cells.changes.begin(), body.cells.changes.end(),
+                      [&](CellChange const& other) { return other.i == i && other.j == j; });
       if (!fresh && body.cells.at(i, j) == c.after) from |= 1u << d;
     }
     sites.push_back({c.i, c.j, from});

@@ -12,8 +12,8 @@ namespace velum::ibm {
 struct CutLink {
   Hit hit;
   double ring;
-  std::uint8_t side;   // plus_side or minus_side: of the fluid cell
-  bool downstream;     // for the ledger
+  std::uint8_t side;  // plus_side or minus_side: of the fluid cell
+  bool downstream;    // for the ledger
 };
 
 /// What the fluid says to the structure in one step, lattice units.
@@ -35,16 +35,16 @@ struct Sharp {
   std::vector<lbm::WallHit> wall_hits;  // without those of openings
   Surface surface;
   Cells cells;
-  double divide = 0;                    // radius that parts up- from downstream under the membrane
+  double divide = 0;  // radius that parts up- from downstream under the membrane
 
-  lbm::LinkList resting;                // rigid walls and films
-  lbm::LinkList cut_links;              // same order as cut
+  lbm::LinkList resting;    // rigid walls and films
+  lbm::LinkList cut_links;  // same order as cut
   std::vector<lbm::Link> cut_host;
   std::vector<CutLink> cut;
   Kokkos::View<double**, Kokkos::LayoutRight> heard;  // [3][links]: outgoing, reflected, density
-  Kokkos::View<double*> wall_term;      // kappa c.u_w of each link
+  Kokkos::View<double*> wall_term;                    // kappa c.u_w of each link
   Exchange exchange;
-  long refilled = 0, orphans = 0;       // sites uncovered so far; those without a neighbour to copy
+  long refilled = 0, orphans = 0;  // sites uncovered so far; those without a neighbour to copy
 };
 
 /// Prepares the boundary for a fluid whose rigid walls are known, at the membrane's present place.
@@ -57,7 +57,8 @@ Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
 /// with the velocity. Per link, momentum exchange relative to the rest density:
 ///   F = ring c (f_out + g),  Z = ring kappa c c^T,
 /// f_out the outgoing population, g what a resting wall reflects, both less w; handed to the two
-/// nodes of the element by its shape functions. Ladd 1994; Wen et al., J. Comput. Phys. 266 (2014) 161.
+/// nodes of the element by its shape functions. Ladd 1994; Wen et al., J. Comput. Phys. 266 (2014)
+/// 161.
 template <class Real>
 void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane);
 

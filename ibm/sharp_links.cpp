@@ -34,13 +34,14 @@ Hit find_hit(Sharp<Real> const& body, int i, int j, int dir)
 }
 
 template <class Real>
-void add_cut(Sharp<Real>& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir, Hit const& hit)
+void add_cut(Sharp<Real>& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir,
+             Hit const& hit)
 {
   double const y = fluid.origin[1] + j + 0.5;
   std::uint8_t const side = body.cells.at(i, j);
   body.cut_host.push_back(link(body, fluid, i, j, dir, hit.q));
-  body.cut.push_back({hit, lbm::link_ring(fluid.symmetry, y, dir), side,
-                      side == fluid_minus && y < body.divide});
+  body.cut.push_back(
+      {hit, lbm::link_ring(fluid.symmetry, y, dir), side, side == fluid_minus && y < body.divide});
 }
 
 /// Sites of row j that may have a neighbour across the membrane: from two below the lowest crossing
@@ -60,10 +61,11 @@ Band band(Labels const& labels, int j)
   return {std::max(b.first, 0), std::min(b.last, labels.nx - 1)};
 }
 
-/// Side of the wall site that a link leads to. Where it is not the fluid cell's own, the membrane is
-/// what the link meets: it must feel the load even where it is pressed a little into the wall, and a
-/// face that slides along a wall must displace the full width of its last cell. Beyond the box the
-/// membrane goes on as in the last row, which makes the area of its links exactly the section's.
+/// Side of the wall site that a link leads to. Where it is not the fluid cell's own, the membrane
+/// is what the link meets: it must feel the load even where it is pressed a little into the wall,
+/// and a face that slides along a wall must displace the full width of its last cell. Beyond the
+/// box the membrane goes on as in the last row, which makes the area of its links exactly the
+/// section's.
 template <class Real>
 std::uint8_t label_beyond(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid,
                           lbm::WallHit const& h)

@@ -19,9 +19,9 @@ void apply_boundaries(Coupled<Real, Body>& s)
 template <class Real>
 void complete(Coupled<Real, Sharp>& s)
 {
-  complete_load(s.pressure, s.body.exchange, s.body.surface, s.walls, s.fluid.symmetry,
-                s.seat ? contact::contact_patch(s.seat->contact, s.seat->markers)
-                       : contact::Patch{});
+  complete_load(
+      s.pressure, s.body.exchange, s.body.surface, s.walls, s.fluid.symmetry,
+      s.seat ? contact::contact_patch(s.seat->contact, s.seat->markers) : contact::Patch{});
 }
 
 /// Any other body feels its faces whole.
@@ -52,13 +52,13 @@ Eigen::VectorXd advance(Coupled<Real, Body>& s)
 template <class Real, template <class> class Body>
 void step(Coupled<Real, Body>& s)
 {
-  apply_boundaries(s);                                      // walls, inlets, outlets
-  feel(s.body, s.fluid, s.membrane);                        // F0 and Z on the nodes
-  complete(s);                                              // what links do not feel
+  apply_boundaries(s);                // walls, inlets, outlets
+  feel(s.body, s.fluid, s.membrane);  // F0 and Z on the nodes
+  complete(s);                        // what links do not feel
   if (s.seat) follow_thickness(*s.seat, s.membrane, thickness_share);
-  Eigen::VectorXd const velocity = advance(s);              // M dv/dt = F0 - Z v + loads(x)
-  impose(s.body, s.fluid, velocity, s.ledger);              // the faces push the fluid; f -> f
-  move(s.body, s.fluid, s.membrane);                        // labels, uncovered sites, cut links
+  Eigen::VectorXd const velocity = advance(s);  // M dv/dt = F0 - Z v + loads(x)
+  impose(s.body, s.fluid, velocity, s.ledger);  // the faces push the fluid; f -> f
+  move(s.body, s.fluid, s.membrane);            // labels, uncovered sites, cut links
 }
 
 }  // namespace velum::ibm

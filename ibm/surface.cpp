@@ -20,8 +20,8 @@ void fill(FaceLine& line, std::vector<core::Vec2> const& face, bool axis)
   line.first.resize(count + 1);
   line.second.resize(count + 1);
   core::Vec2 const begin = face[0];
-  line.points[0] = axis ? core::Vec2{face[1][0], -face[1][1]}
-                        : core::Vec2{begin[0], begin[1] - far_away};
+  line.points[0] =
+      axis ? core::Vec2{face[1][0], -face[1][1]} : core::Vec2{begin[0], begin[1] - far_away};
   line.first[0] = axis ? 1 : 0;
   line.second[0] = 0;
   for (int a = 0; a < n; ++a) {
@@ -40,7 +40,8 @@ void check_finite(structure::Faces const& faces)
     for (int d : {0, 1})
       if (!std::isfinite(faces.plus[a][d]) || !std::isfinite(faces.minus[a][d]))
         throw core::Divergence("the faces of the membrane are no longer finite, first at node " +
-                               std::to_string(a) + ": an element next to it has collapsed or run "
+                               std::to_string(a) +
+                               ": an element next to it has collapsed or run "
                                "away; load, sub-step or contact may be too stiff");
 }
 

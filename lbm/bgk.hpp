@@ -25,9 +25,11 @@ struct Bgk {
 
   /// Relaxes xxy, xyy at the rate odd and xxyy at the rate even towards the second-order
   /// equilibrium; sources enter with the factor 1 - rate/2.
-  KOKKOS_FORCEINLINE_FUNCTION static void higher_moments_of_second_order(
-      Moments<Real> const& in, Moments<Real>& out, Real rho, Real ux, Real uy, Real Sx, Real Sy,
-      Real Q, Real odd, Real even)
+  KOKKOS_FORCEINLINE_FUNCTION static void higher_moments_of_second_order(Moments<Real> const& in,
+                                                                         Moments<Real>& out,
+                                                                         Real rho, Real ux, Real uy,
+                                                                         Real Sx, Real Sy, Real Q,
+                                                                         Real odd, Real even)
   {
     Real const third = Real(1) / 3, n = 1 + rho, u2 = ux * ux + uy * uy;
     out.xxy = in.xxy + odd * (third * n * uy - in.xxy) + (1 - odd / 2) * third * Sy;

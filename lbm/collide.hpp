@@ -5,8 +5,8 @@ namespace velum::lbm {
 
 /// Collision of one site with sources of mass and momentum, planar or axisymmetric.
 ///
-/// Every moment m with rate k relaxes as  m += k (meq - m) + (1 - k/2) s  towards the equilibrium of
-/// the mid-step density and velocity, rho = rho_in + Q/2, rho u = j_in + S/2.
+/// Every moment m with rate k relaxes as  m += k (meq - m) + (1 - k/2) s  towards the equilibrium
+/// of the mid-step density and velocity, rho = rho_in + Q/2, rho u = j_in + S/2.
 ///
 /// Axisymmetric (y is the radius): the population that leaves along c carries the weight of the
 /// mid-point of its link, y + c_y/2, and arrives with that same weight. Mass and axial momentum so
@@ -58,11 +58,11 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[9], Collision const& collisio
   };
 
   if constexpr (Axisymmetric) {
-    // S_y depends on u_y through the terms linear in u_y / y, which are solved for exactly (they are
-    // not small in the row at the axis), and through products of velocities, which are iterated.
+    // S_y depends on u_y through the terms linear in u_y / y, which are solved for exactly (they
+    // are not small in the row at the axis), and through products of velocities, which are
+    // iterated.
     Real const mu = third * (1 / shear - Real(0.5)) * n;
-    Real const linear =
-        inv_y * inv_y * ((1 - bulk / 2) * off_axis / 6 * n - (2 + bulk / 2) * mu);
+    Real const linear = inv_y * inv_y * ((1 - bulk / 2) * off_axis / 6 * n - (2 + bulk / 2) * mu);
     for (int pass = 0; pass < 3; ++pass) {
       Real const u_theta = uy * inv_y;
       Q = -n * u_theta;

@@ -42,7 +42,8 @@ constexpr bool is_consistent()
   double sum = 0, xx = 0, yy = 0, xy = 0, xxxx = 0, xxyy = 0;
   for (int i = 0; i < D2Q9::Q; ++i) {
     double const w = D2Q9::w(i);
-    int const x = D2Q9::cx(i), y = D2Q9::cy(i), o = D2Q9::opposite(i), m = D2Q9::mirrored_in_axis(i);
+    int const x = D2Q9::cx(i), y = D2Q9::cy(i), o = D2Q9::opposite(i),
+              m = D2Q9::mirrored_in_axis(i);
     sum += w, xx += w * x * x, yy += w * y * y, xy += w * x * y;
     xxxx += w * x * x * x * x, xxyy += w * x * x * y * y;
     if (D2Q9::cx(o) != -x || D2Q9::cy(o) != -y) return false;

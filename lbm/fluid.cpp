@@ -52,8 +52,7 @@ void set_equilibrium(Fluid<Real>& fluid, Kokkos::View<CellState**, Kokkos::HostS
     for (int i = 0; i < fluid.nx; ++i)
       for (int k = 0; k < 9; ++k) {
         CellState const& s = state(j, i);
-        f_host(k, j + 1, i + 1) =
-            equilibrium<Real>(k, Real(s.rho), Real(s.ux), Real(s.uy));
+        f_host(k, j + 1, i + 1) = equilibrium<Real>(k, Real(s.rho), Real(s.ux), Real(s.uy));
       }
   Kokkos::deep_copy(fluid.f, f_host);
 }
@@ -80,10 +79,8 @@ template Fluid<float> make_fluid(int, int, core::Vec2, core::Symmetry, Model con
 template Fluid<double> make_fluid(int, int, core::Vec2, core::Symmetry, Model const&);
 template void use_force_field(Fluid<float>&);
 template void use_force_field(Fluid<double>&);
-template void set_equilibrium(Fluid<float>&,
-                              Kokkos::View<CellState**, Kokkos::HostSpace> const&);
-template void set_equilibrium(Fluid<double>&,
-                              Kokkos::View<CellState**, Kokkos::HostSpace> const&);
+template void set_equilibrium(Fluid<float>&, Kokkos::View<CellState**, Kokkos::HostSpace> const&);
+template void set_equilibrium(Fluid<double>&, Kokkos::View<CellState**, Kokkos::HostSpace> const&);
 template Kokkos::View<CellState**, Kokkos::HostSpace> cell_states(Fluid<float> const&);
 template Kokkos::View<CellState**, Kokkos::HostSpace> cell_states(Fluid<double> const&);
 

@@ -14,8 +14,8 @@ struct Model {
   Collision collision = Collision::central_moments;
   double viscosity = 0.1;
   double magic = 1.0 / 8;
-  double smagorinsky = 0;           // constant C of nu_t = (C dx)^2 |S|; 0 = off
-  core::Vec2 body_force = {0, 0};   // per volume
+  double smagorinsky = 0;          // constant C of nu_t = (C dx)^2 |S|; 0 = off
+  core::Vec2 body_force = {0, 0};  // per volume
   bool periodic_x = false, periodic_y = false;
 
   /// Relaxation rate of the shear moments, 1 / (3 nu + 1/2).
@@ -36,10 +36,10 @@ struct Fluid {
   core::Symmetry symmetry = core::Symmetry::planar;
   Model model;
 
-  Populations<Real> f;        // after collision
-  Populations<Real> f_next;   // where the next step is written
-  CellMask active;            // 1 where there is fluid, 0 in walls and bodies   [ny + 2][pitch]
-  Populations<Real> force;    // per volume [2][ny + 2][pitch]; empty unless a body spreads force
+  Populations<Real> f;       // after collision
+  Populations<Real> f_next;  // where the next step is written
+  CellMask active;           // 1 where there is fluid, 0 in walls and bodies   [ny + 2][pitch]
+  Populations<Real> force;   // per volume [2][ny + 2][pitch]; empty unless a body spreads force
 
   /// Whether the first row lies on the axis of revolution.
   bool has_axis() const { return symmetry == core::Symmetry::axisymmetric && origin[1] == 0; }

@@ -12,7 +12,7 @@ void upload(LinkList& list, std::vector<Link> const& links)
   if (links.empty()) return;
   auto const part = Kokkos::subview(list.links, std::make_pair(std::size_t{0}, links.size()));
   Kokkos::View<Link const*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> const host(links.data(),
-                                                                                  links.size());
+                                                                                   links.size());
   Kokkos::deep_copy(part, host);
 }
 

@@ -30,8 +30,8 @@ KOKKOS_FORCEINLINE_FUNCTION double link_ring(core::Symmetry symmetry, double y_c
   return core::ring(symmetry, y_cell + 0.5 * D2Q9::cy(dir));
 }
 
-/// Population that a resting wall at distance q sends back, interpolated between the outgoing one of
-/// this cell (out), that of the cell behind (behind) and the one already coming back (back).
+/// Population that a resting wall at distance q sends back, interpolated between the outgoing one
+/// of this cell (out), that of the cell behind (behind) and the one already coming back (back).
 /// Second order in space. Bouzidi, Firdaouss & Lallemand, Phys. Fluids 13 (2001) 3452,
 /// doi:10.1063/1.1399290; q = 1/2, or no cell behind, is the half-way rule.
 template <class Real>

@@ -28,8 +28,8 @@ KOKKOS_FORCEINLINE_FUNCTION Speed speed(Populations<Real> const& f, int i, int j
 /// Relaxation time that smagorinsky_rate() chose, from the deviator it left behind: collision
 /// turns Pi into (1 - 1/tau) Pi, so that
 ///   (tau - tau0) |tau - 1| = 9/2 C^2 |(1 - 1/tau) Pi| / rho.
-/// Of the roots that which grows from tau0; where tau0 < 1 it ends at nu_t = (1 - tau0)/6, far above
-/// any strain the lattice can bear.
+/// Of the roots that which grows from tau0; where tau0 < 1 it ends at nu_t = (1 - tau0)/6, far
+/// above any strain the lattice can bear.
 KOKKOS_FORCEINLINE_FUNCTION double smagorinsky_time(double tau0, double magnitude,
                                                     double constant_squared)
 {

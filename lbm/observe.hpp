@@ -5,12 +5,12 @@ namespace velum::lbm {
 
 /// What the guard and the result need to know of the whole fluid.
 struct Observation {
-  double speed_max = 0;       // largest |u|, lattice units
+  double speed_max = 0;             // largest |u|, lattice units
   double rho_min = 0, rho_max = 0;  // of the density less 1
-  double mass = 0;            // sum of ring * (density less 1)
-  long cells = 0;             // with fluid
-  long not_finite = 0;        // cells whose density or velocity is not a number
-  int worst_i = 0, worst_j = 0;  // cell of the largest speed, or the first that is not finite
+  double mass = 0;                  // sum of ring * (density less 1)
+  long cells = 0;                   // with fluid
+  long not_finite = 0;              // cells whose density or velocity is not a number
+  int worst_i = 0, worst_j = 0;     // cell of the largest speed, or the first that is not finite
 };
 
 /// Sweeps all cells with fluid once.

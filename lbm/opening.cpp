@@ -10,8 +10,8 @@ namespace {
 
 constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
 constexpr double relaxation = 0.2;             // of the velocity per step, damps the feedback loop
-constexpr double integral_gain = 2e-4;         // per step; below c_s / 4L for chambers up to 700 cells
-constexpr double slow_steps = 5000;            // memory of the outflow's mean velocity
+constexpr double integral_gain = 2e-4;  // per step; below c_s / 4L for chambers up to 700 cells
+constexpr double slow_steps = 5000;     // memory of the outflow's mean velocity
 
 /// Velocity of the opening imposed by the half-way rule, whatever the distance q: an opening is
 /// where the scene puts it, and mass stays exact.
@@ -43,9 +43,9 @@ void impose_velocity(Fluid<Real>& fluid, Opening& opening, double U)
   opening.traction = momentum / opening.area - U * U;
 }
 
-/// Anti-bounce-back at the pressure opening.pressure. Of an outflow it is an equilibrium that is sent
-/// back: the full population would come back undamped, and at low viscosity a vortex that passes, or
-/// mere noise, would grow between the opening and the cells before it.
+/// Anti-bounce-back at the pressure opening.pressure. Of an outflow it is an equilibrium that is
+/// sent back: the full population would come back undamped, and at low viscosity a vortex that
+/// passes, or mere noise, would grow between the opening and the cells before it.
 template <class Real>
 void impose_pressure(Fluid<Real>& fluid, Opening& opening, bool outflow)
 {
@@ -101,8 +101,10 @@ template <class Real>
 void apply(Fluid<Real>& fluid, Opening& opening, double target)
 {
   switch (opening.kind) {
-    case OpeningKind::velocity: return impose_velocity(fluid, opening, target);
-    case OpeningKind::flow_rate: return impose_velocity(fluid, opening, target / opening.area);
+    case OpeningKind::velocity:
+      return impose_velocity(fluid, opening, target);
+    case OpeningKind::flow_rate:
+      return impose_velocity(fluid, opening, target / opening.area);
     case OpeningKind::traction: {
       // the mean of two steps: at the lattice's own period of two steps the bare answer of
       // traction to velocity is so large that the loop would run away

@@ -18,14 +18,14 @@ struct Opening {
   core::Vec2 normal = {1, 0};  // into the fluid
   double area = 0;             // sum of 6 w |c.n| ring: pressure times area is the force at rest
 
-  double velocity = 0;         // of the inflow, as imposed in the last step
-  double integral = 0;         // memory of the traction control
-  double last_traction = 0;    // one step before traction, for the same
-  double slow_velocity = 0;    // mean inflow that the outflow condition does not resist
-  double pressure = 0;         // imposed in the last step, less that of the rest state
+  double velocity = 0;       // of the inflow, as imposed in the last step
+  double integral = 0;       // memory of the traction control
+  double last_traction = 0;  // one step before traction, for the same
+  double slow_velocity = 0;  // mean inflow that the outflow condition does not resist
+  double pressure = 0;       // imposed in the last step, less that of the rest state
 
-  double mass_flow = 0;        // into the fluid in the last step, mass per step
-  double traction = 0;         // mean normal traction over the opening in the last step
+  double mass_flow = 0;  // into the fluid in the last step, mass per step
+  double traction = 0;   // mean normal traction over the opening in the last step
 };
 
 /// Finds the area of an opening whose links and normal are set.
@@ -36,16 +36,15 @@ double opening_area(Fluid<Real> const& fluid, std::vector<Link> const& links, co
 /// lattice units) and measures mass flow and traction. The traction is the momentum that crosses
 /// the opening per area less rho U^2: p - n.tau.n.
 ///
-/// traction: U relaxes to  I + (p_target - p)/(rho c_s),  dI = k (p_target - p)/(rho c_s): along the
-/// outgoing characteristic dp = rho c_s dU, so sound is absorbed, and the integral brings the mean
-/// traction to the target whatever flows.
-/// pressure, outflow: anti-bounce-back, f_o = -f_i + 2 w rho_b (1 + 9/2 (c.u)^2 - 3/2 u^2), Ginzburg
-/// et al. 2008, with the cell's own velocity. outflow adds rho c_s (U - slow U) to the pressure, so
-/// that a plane wave leaves, and sends back equilibria, which lets vortices and jets pass at low
-/// viscosity: where fluid leaves f_o = feq_o(2 rho_b - rho, u), the same rule for the cell's
-/// equilibrium; where it comes back in feq_o(rho_b, 0): what enters brings no
-/// momentum, or eddies would draw on the reservoir outside without end (the energy condition
-/// u.n >= 0 of a traction-free boundary).
+/// traction: U relaxes to  I + (p_target - p)/(rho c_s),  dI = k (p_target - p)/(rho c_s): along
+/// the outgoing characteristic dp = rho c_s dU, so sound is absorbed, and the integral brings the
+/// mean traction to the target whatever flows. pressure, outflow: anti-bounce-back, f_o = -f_i + 2
+/// w rho_b (1 + 9/2 (c.u)^2 - 3/2 u^2), Ginzburg et al. 2008, with the cell's own velocity. outflow
+/// adds rho c_s (U - slow U) to the pressure, so that a plane wave leaves, and sends back
+/// equilibria, which lets vortices and jets pass at low viscosity: where fluid leaves f_o = feq_o(2
+/// rho_b - rho, u), the same rule for the cell's equilibrium; where it comes back in feq_o(rho_b,
+/// 0): what enters brings no momentum, or eddies would draw on the reservoir outside without end
+/// (the energy condition u.n >= 0 of a traction-free boundary).
 template <class Real>
 void apply(Fluid<Real>& fluid, Opening& opening, double target);
 

@@ -91,25 +91,23 @@ void update(Populations<Real> from, Populations<Real> to, Fluid<Real> const& flu
   Constants<Real> const constants{Real(m.body_force[0]), Real(m.body_force[1]),
                                   Real(m.smagorinsky * m.smagorinsky)};
   if constexpr (on_host) {
-    Kokkos::parallel_for("velum::lbm::update_rows", Kokkos::RangePolicy<Space>(0, ny),
-                         KOKKOS_LAMBDA(int j) {
-                           Rows<Real> const row = rows<Field>(from, to, active, force, j, step, y0);
-                           // copies on the stack: what a store might alias is not vectorised
-                           Rule const r = rule;
-                           Constants<Real> const k = constants;
-                           int const n = nx;
+    Kokkos::parallel_for(
+        "velum::lbm::update_rows", Kokkos::RangePolicy<Space>(0, ny), KOKKOS_LAMBDA(int j) {
+          Rows<Real> const row = rows<Field>(from, to, active, force, j, step, y0);
+          // copies on the stack: what a store might alias is not vectorised
+          Rule const r = rule;
+          Constants<Real> const k = constants;
+          int const n = nx;
 #pragma GCC ivdep
-                           for (int x = 0; x < n; ++x)
-                             update_cell<Axisymmetric, Field>(row, x, r, k);
-                         });
+          for (int x = 0; x < n; ++x) update_cell<Axisymmetric, Field>(row, x, r, k);
+        });
   } else {
-    Kokkos::parallel_for("velum::lbm::update_cells", Kokkos::RangePolicy<Space>(0, nx * ny),
-                         KOKKOS_LAMBDA(int c) {
-                           int const j = c / nx;
-                           update_cell<Axisymmetric, Field>(
-                               rows<Field>(from, to, active, force, j, step, y0), c % nx, rule,
-                               constants);
-                         });
+    Kokkos::parallel_for(
+        "velum::lbm::update_cells", Kokkos::RangePolicy<Space>(0, nx * ny), KOKKOS_LAMBDA(int c) {
+          int const j = c / nx;
+          update_cell<Axisymmetric, Field>(rows<Field>(from, to, active, force, j, step, y0),
+                                           c % nx, rule, constants);
+        });
   }
 }
 
@@ -130,7 +128,8 @@ void update_fluid(Populations<Real> from, Populations<Real> to, Fluid<Real> cons
 {
   Real const omega = Real(fluid.model.omega());
   switch (fluid.model.collision) {
-    case Collision::bgk: return update_with(from, to, fluid, pull, Bgk<Real>{omega});
+    case Collision::bgk:
+      return update_with(from, to, fluid, pull, Bgk<Real>{omega});
     case Collision::trt:
       return update_with(from, to, fluid, pull, Trt<Real>{omega, Real(fluid.model.magic)});
     case Collision::central_moments:
@@ -158,12 +157,12 @@ void stream(Fluid<Real>& fluid)
 {
   int const nx = fluid.nx, ny = fluid.ny;
   auto const from = fluid.f, to = fluid.f_next;
-  Kokkos::parallel_for("velum::lbm::stream", Kokkos::RangePolicy<Space>(0, 9 * ny),
-                       KOKKOS_LAMBDA(int k) {
-                         int const i = k / ny, j = k % ny;
-                         for (int x = 0; x < nx; ++x)
-                           to(i, j + 1, x + 1) = from(i, j + 1 - D2Q9::cy(i), x + 1 - D2Q9::cx(i));
-                       });
+  Kokkos::parallel_for(
+      "velum::lbm::stream", Kokkos::RangePolicy<Space>(0, 9 * ny), KOKKOS_LAMBDA(int k) {
+        int const i = k / ny, j = k % ny;
+        for (int x = 0; x < nx; ++x)
+          to(i, j + 1, x + 1) = from(i, j + 1 - D2Q9::cy(i), x + 1 - D2Q9::cx(i));
+      });
   std::swap(fluid.f, fluid.f_next);
 }
 
@@ -174,21 +173,21 @@ void fill_ghosts(Fluid<Real>& fluid)
   auto const f = fluid.f;
   bool const axis = fluid.has_axis();
   if (fluid.model.periodic_x)
-    Kokkos::parallel_for("velum::lbm::fill_columns", Kokkos::RangePolicy<Space>(0, ny + 2),
-                         KOKKOS_LAMBDA(int j) {
-                           for (int i = 0; i < 9; ++i) {
-                             f(i, j, 0) = f(i, j, nx);
-                             f(i, j, nx + 1) = f(i, j, 1);
-                           }
-                         });
+    Kokkos::parallel_for(
+        "velum::lbm::fill_columns", Kokkos::RangePolicy<Space>(0, ny + 2), KOKKOS_LAMBDA(int j) {
+          for (int i = 0; i < 9; ++i) {
+            f(i, j, 0) = f(i, j, nx);
+            f(i, j, nx + 1) = f(i, j, 1);
+          }
+        });
   if (axis || fluid.model.periodic_y)
-    Kokkos::parallel_for("velum::lbm::fill_rows", Kokkos::RangePolicy<Space>(0, nx + 2),
-                         KOKKOS_LAMBDA(int x) {
-                           for (int i = 0; i < 9; ++i) {
-                             f(i, 0, x) = axis ? f(D2Q9::mirrored_in_axis(i), 1, x) : f(i, ny, x);
-                             if (!axis) f(i, ny + 1, x) = f(i, 1, x);
-                           }
-                         });
+    Kokkos::parallel_for(
+        "velum::lbm::fill_rows", Kokkos::RangePolicy<Space>(0, nx + 2), KOKKOS_LAMBDA(int x) {
+          for (int i = 0; i < 9; ++i) {
+            f(i, 0, x) = axis ? f(D2Q9::mirrored_in_axis(i), 1, x) : f(i, ny, x);
+            if (!axis) f(i, ny + 1, x) = f(i, 1, x);
+          }
+        });
 }
 
 template void stream_and_collide(Fluid<float>&);

@@ -37,9 +37,7 @@ Walls find_walls(Fluid<Real> const& fluid, core::Obstacle const& solids)
   auto const cells = static_cast<std::size_t>(fluid.nx) * static_cast<std::size_t>(fluid.ny);
   walls.solid.resize(cells);
   walls.distance.resize(cells);
-  auto const centre = [&](int i, int j) {
-    return fluid.origin + core::Vec2{i + 0.5, j + 0.5};
-  };
+  auto const centre = [&](int i, int j) { return fluid.origin + core::Vec2{i + 0.5, j + 0.5}; };
   for (int j = 0, c = 0; j < fluid.ny; ++j)
     for (int i = 0; i < fluid.nx; ++i, ++c) {
       auto const k = static_cast<std::size_t>(c);

@@ -9,9 +9,9 @@ namespace velum::lbm {
 /// Where a link of a fluid cell meets a rigid wall.
 struct WallHit {
   int i, j, dir;
-  double q;         // true distance to the wall as a share of the link
-  core::Vec2 at;    // the point, lattice units
-  bool box_side;    // the wall is the side of the lattice box, not a solid
+  double q;       // true distance to the wall as a share of the link
+  core::Vec2 at;  // the point, lattice units
+  bool box_side;  // the wall is the side of the lattice box, not a solid
 };
 
 /// The rigid surroundings of the fluid, found once.

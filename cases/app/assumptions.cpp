@@ -18,16 +18,17 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
   core::Assumptions a;
   a["fidelity"] = word(scene.fidelity);
   if (scene.fidelity != Fidelity::hydrostatic) {
-    a["time step"] = fmt::format("{:.4g} s, from Mach {:.3g} at {:.4g} m/s", d.units.dt, d.mach,
-                                 d.velocity);
-    a["compressibility"] =
-        fmt::format("the lattice fluid is {:.3g} % denser under {:.4g} kPa (sound speed {:.4g} m/s)",
-                    100 * d.density_jump, d.pressure / 1e3, d.sound_speed);
-    a["collision"] = fmt::format("{}, tau - 1/2 = {:.3g}, {} precision",
-                                 word(scene.lattice.collision), d.tau_minus_half,
-                                 word(scene.lattice.precision));
-    a["les"] = smagorinsky > 0 ? fmt::format("Smagorinsky, constant {:.3g}, everywhere", smagorinsky)
-                               : std::string("off");
+    a["time step"] =
+        fmt::format("{:.4g} s, from Mach {:.3g} at {:.4g} m/s", d.units.dt, d.mach, d.velocity);
+    a["compressibility"] = fmt::format(
+        "the lattice fluid is {:.3g} % denser under {:.4g} kPa (sound speed {:.4g} m/s)",
+        100 * d.density_jump, d.pressure / 1e3, d.sound_speed);
+    a["collision"] =
+        fmt::format("{}, tau - 1/2 = {:.3g}, {} precision", word(scene.lattice.collision),
+                    d.tau_minus_half, word(scene.lattice.precision));
+    a["les"] = smagorinsky > 0
+                   ? fmt::format("Smagorinsky, constant {:.3g}, everywhere", smagorinsky)
+                   : std::string("off");
     a["gap"] = "resolved down to half a cell; below that a film that carries pressure and no flow";
     a["axial symmetry"] = symmetry(scene) == core::Symmetry::axisymmetric
                               ? "no swirl; eddies are rings, so LES is damping and no more"
@@ -37,7 +38,8 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
     auto const& m = scene.materials.at(scene.membrane->material);
     a["membrane"] = "incompressible neo-Hookean, no bending stiffness";
     a["damping"] = fmt::format(
-        "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the state the march starts from (the "
+        "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the state the march starts from "
+        "(the "
         "flat membrane, without bending, would have none across)",
         m.damping_mass, m.damping_stiffness);
     a["coupling"] = fmt::format("{}, {}", word(scene.coupling.method), word(scene.coupling.scheme));

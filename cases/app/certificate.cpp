@@ -13,7 +13,7 @@ double jump(Measurement const& m) { return upstream(m) - m.pressure_inside; }
 
 /// Mean rates over the window before the settled state, m3/s.
 struct Leak {
-  double total;     // outflow less what the membrane swept and the fluid stored
+  double total;  // outflow less what the membrane swept and the fluid stored
   double seat, membrane;
 };
 
@@ -99,8 +99,8 @@ std::string certificate_text(Certificate const& c)
   row("penetration at the seat", fmt::format("{:.3g} um", 1e6 * c.penetration_max));
   row("seat force", fmt::format("{:.4g} N", c.settled.seat_force));
   row("centre deflection", fmt::format("{:.4f} mm", 1e3 * deflection));
-  row("centre deflection, hydrostatic",
-      fmt::format("{:.4f} mm ({:+.2f} %)", 1e3 * hydrostatic, 100 * (deflection / hydrostatic - 1)));
+  row("centre deflection, hydrostatic", fmt::format("{:.4f} mm ({:+.2f} %)", 1e3 * hydrostatic,
+                                                    100 * (deflection / hydrostatic - 1)));
   row("volume balance residual", fmt::format("{:.2g} of the chamber", volume_residual(c)));
   row("largest spurious velocity", fmt::format("{:.3g} mm/s", 1e3 * c.settled.speed_max));
   row("largest Mach number", fmt::format("{:.3g}", c.mach_max));

@@ -8,13 +8,13 @@ namespace velum::cases {
 
 /// What a closed valve has to show. SI units.
 struct Certificate {
-  double inlet = 0, outlet = 0;          // pressures imposed
-  Measurement settled, shut;             // at the end of either stage
-  Measurement window_begin;              // leak and balance are taken from here to `settled`
-  double least_jump_shut = 0;            // over the stage with the inlet shut, Pa
+  double inlet = 0, outlet = 0;  // pressures imposed
+  Measurement settled, shut;     // at the end of either stage
+  Measurement window_begin;      // leak and balance are taken from here to `settled`
+  double least_jump_shut = 0;    // over the stage with the inlet shut, Pa
   double centre_hydrostatic = 0, centre_start = 0;
   double penetration_max = 0, speed_max = 0, mach_max = 0;
-  double eddy_mean = 0, eddy_max = 0;    // m2/s
+  double eddy_mean = 0, eddy_max = 0;  // m2/s
   double wall_time = 0, mlups = 0;
   bool has_shut = false;
 };

@@ -25,18 +25,27 @@ constexpr double window_share = 0.5;  // of the settling stage: over which leaks
 
 std::vector<core::Column> columns()
 {
-  return {{"pressure_above", "Pa"},   {"pressure_outside", "Pa"}, {"pressure_inside", "Pa"},
-          {"centre", "m"},            {"penetration", "m"},       {"seat_force", "N"},
-          {"outflow", "m3"},          {"inflow", "m3"},           {"leak_through_seat", "m3"},
-          {"leak_through_membrane", "m3"}, {"volume_inside", "m3"}, {"speed_max", "m/s"},
+  return {{"pressure_above", "Pa"},
+          {"pressure_outside", "Pa"},
+          {"pressure_inside", "Pa"},
+          {"centre", "m"},
+          {"penetration", "m"},
+          {"seat_force", "N"},
+          {"outflow", "m3"},
+          {"inflow", "m3"},
+          {"leak_through_seat", "m3"},
+          {"leak_through_membrane", "m3"},
+          {"volume_inside", "m3"},
+          {"speed_max", "m/s"},
           {"sealed", "1"}};
 }
 
 std::vector<double> row(Measurement const& m)
 {
-  return {m.pressure_above, m.pressure_outside, m.pressure_inside, m.centre, m.penetration,
-          m.seat_force, m.outflow, m.inflow, m.through_seat, m.through_membrane, m.volume_inside,
-          m.speed_max, m.sealed ? 1.0 : 0.0};
+  return {m.pressure_above,    m.pressure_outside, m.pressure_inside, m.centre,
+          m.penetration,       m.seat_force,       m.outflow,         m.inflow,
+          m.through_seat,      m.through_membrane, m.volume_inside,   m.speed_max,
+          m.sealed ? 1.0 : 0.0};
 }
 
 double jump(Measurement const& m)
@@ -70,9 +79,9 @@ void step(CoupledScene<Real, Body>& s, long n)
   try {
     ibm::step(s.state);
   } catch (core::Divergence const& failure) {
-    throw core::Divergence(fmt::format(
-        "Diverged at step {} (t = {:.4g} s), body membrane: {}. Likely cause: {}.", n,
-        core::to_si_time(s.derived.units, double(n)), failure.what(), likely_cause(s)));
+    throw core::Divergence(
+        fmt::format("Diverged at step {} (t = {:.4g} s), body membrane: {}. Likely cause: {}.", n,
+                    core::to_si_time(s.derived.units, double(n)), failure.what(), likely_cause(s)));
   }
 }
 
@@ -123,8 +132,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
                      .mlups = mlups,
                      .mach = c.mach_max,
                      .coupling = fmt::format("{} links, {} sub-steps",
-                                             s.state.body.exchange.link_count,
-                                             s.state.substeps)});
+                                             s.state.body.exchange.link_count, s.state.substeps)});
       stopped = stop_requested();
     }
     if (n % sample == 0 || n == total || n == settle || n == window || stopped) {
@@ -145,10 +153,12 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   }
   c.wall_time = elapsed();
   c.mlups = double(total) * cells / c.wall_time / 1e6;
-  core::write_summary(options.out / "summary.json", {figures(c), assumptions(scene, d, smagorinsky)});
+  core::write_summary(options.out / "summary.json",
+                      {figures(c), assumptions(scene, d, smagorinsky)});
   if (stopped)
-    throw Stopped(fmt::format("Stopped by a signal at t = {:.4g} s; the results until then are in {}.",
-                              now.time, options.out.string()));
+    throw Stopped(
+        fmt::format("Stopped by a signal at t = {:.4g} s; the results until then are in {}.",
+                    now.time, options.out.string()));
   return c;
 }
 
@@ -173,8 +183,8 @@ void run_coupled(Scene const& scene, RunOptions const& options)
     spdlog::info("{}: {}", name, sentence);
   if (start.seat)
     spdlog::info("starts from the hydrostatic state: centre {:.4f} mm below the flat membrane",
-                 1e3 * core::to_si_length(d.units, start.membrane.reference[0] -
-                                                       start.membrane.position[0]));
+                 1e3 * core::to_si_length(
+                           d.units, start.membrane.reference[0] - start.membrane.position[0]));
   Certificate const c = scene.lattice.precision == Precision::double_
                             ? march_with<double>(scene, options, start, smagorinsky)
                             : march_with<float>(scene, options, start, smagorinsky);

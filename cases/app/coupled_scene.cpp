@@ -61,8 +61,8 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
     structure::locate_faces(hydrostatic.membrane, hydrostatic.membrane.position, 1.0, faces);
     double const middle = (patch.begin + patch.end) / 2;
     auto const a = std::min(static_cast<std::size_t>(middle), faces.minus.size() - 2);
-    s.divide = faces.minus[a][1] +
-               (middle - double(a)) * (faces.minus[a + 1][1] - faces.minus[a][1]);
+    s.divide =
+        faces.minus[a][1] + (middle - double(a)) * (faces.minus[a + 1][1] - faces.minus[a][1]);
   }
   auto& state = s.state;
   state.membrane = hydrostatic.membrane;
@@ -75,7 +75,7 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   state.pressure.lip = hydrostatic.load.lip;
   state.substeps = hydrostatic.substeps;
   state.scheme = scene.coupling.scheme == CouplingScheme::implicit ? ibm::Scheme::implicit
-                                                                    : ibm::Scheme::explicit_;
+                                                                   : ibm::Scheme::explicit_;
   auto const& material = scene.materials.at(scene.membrane->material);
   state.stepper = structure::explicit_stepper(
       state.membrane,
@@ -128,19 +128,19 @@ double mean_pressure(CoupledScene<Real, Body> const& s, Zone zone)
 }
 
 template CoupledScene<float, ibm::Sharp> make_coupled_scene(Scene const&, HydrostaticScene const&,
-                                                        double);
+                                                            double);
 template void set_targets(CoupledScene<float, ibm::Sharp>&, Scene const&, double, bool);
 template double mean_pressure(CoupledScene<float, ibm::Sharp> const&, Zone);
 template CoupledScene<float, ibm::Diffuse> make_coupled_scene(Scene const&, HydrostaticScene const&,
-                                                        double);
+                                                              double);
 template void set_targets(CoupledScene<float, ibm::Diffuse>&, Scene const&, double, bool);
 template double mean_pressure(CoupledScene<float, ibm::Diffuse> const&, Zone);
 template CoupledScene<double, ibm::Sharp> make_coupled_scene(Scene const&, HydrostaticScene const&,
-                                                        double);
+                                                             double);
 template void set_targets(CoupledScene<double, ibm::Sharp>&, Scene const&, double, bool);
 template double mean_pressure(CoupledScene<double, ibm::Sharp> const&, Zone);
-template CoupledScene<double, ibm::Diffuse> make_coupled_scene(Scene const&, HydrostaticScene const&,
-                                                        double);
+template CoupledScene<double, ibm::Diffuse> make_coupled_scene(Scene const&,
+                                                               HydrostaticScene const&, double);
 template void set_targets(CoupledScene<double, ibm::Diffuse>&, Scene const&, double, bool);
 template double mean_pressure(CoupledScene<double, ibm::Diffuse> const&, Zone);
 

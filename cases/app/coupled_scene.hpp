@@ -30,8 +30,8 @@ struct CoupledScene {
   }
 };
 
-/// Joins fluid and membrane; the membrane is where `hydrostatic` has it, the fluid at rest under the
-/// pressure of each zone's opening.
+/// Joins fluid and membrane; the membrane is where `hydrostatic` has it, the fluid at rest under
+/// the pressure of each zone's opening.
 template <class Real, template <class> class Body>
 CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene const& hydrostatic,
                                             double smagorinsky);

@@ -83,9 +83,12 @@ void march(Scene const& scene, RunOptions const& options)
         figures.push_back({columns[k].name, values[k], columns[k].unit});
       double const elapsed =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      progress.show({.time = time, .end = scene.run.end,
-                     .mlups = double(n) * cells / std::max(elapsed, 1e-9) / 1e6, .mach = mach});
-      if (stop_requested()) throw Stopped(fmt::format("Stopped by a signal at t = {:.4g} s.", time));
+      progress.show({.time = time,
+                     .end = scene.run.end,
+                     .mlups = double(n) * cells / std::max(elapsed, 1e-9) / 1e6,
+                     .mach = mach});
+      if (stop_requested())
+        throw Stopped(fmt::format("Stopped by a signal at t = {:.4g} s.", time));
     }
     if (n == total) break;
     lbm::fill_ghosts(s.fluid);
@@ -100,10 +103,10 @@ void march(Scene const& scene, RunOptions const& options)
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   auto const eddy = lbm::eddy_viscosity(s.fluid);
   figures.push_back({"mach_max", mach, "1"});
-  figures.push_back({"eddy_viscosity_mean",
-                     core::to_si_kinematic_viscosity(units, eddy.mean), "m2/s"});
-  figures.push_back({"eddy_viscosity_max",
-                     core::to_si_kinematic_viscosity(units, eddy.max), "m2/s"});
+  figures.push_back(
+      {"eddy_viscosity_mean", core::to_si_kinematic_viscosity(units, eddy.mean), "m2/s"});
+  figures.push_back(
+      {"eddy_viscosity_max", core::to_si_kinematic_viscosity(units, eddy.max), "m2/s"});
   figures.push_back({"wall_time", elapsed, "s"});
   figures.push_back({"mlups", double(total) * cells / elapsed / 1e6, "1e6/s"});
   core::write_summary(options.out / "summary.json", {figures, about});

@@ -29,9 +29,8 @@ structure::Membrane lattice_membrane(Scene const& scene, Derived const& d)
        .from = sheet.from / dx,
        .to = sheet.to / dx,
        .element_size = sheet.element / dx,
-       .thickness = [thickness = sheet.thickness, dx](double y) {
-         return value_at(thickness, y * dx) / dx;
-       },
+       .thickness = [thickness = sheet.thickness,
+                     dx](double y) { return value_at(thickness, y * dx) / dx; },
        .shear_modulus = core::to_lattice_pressure(d.units, material.shear_modulus),
        .density = core::to_lattice_density(d.units, material.density),
        .axial = sheet.position / dx});
@@ -53,9 +52,8 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
   if (sheet.spring) {
     auto const& spring = *sheet.spring;
     s.loads.push_back(structure::spring_load(
-        s.membrane,
-        {core::to_lattice_stiffness(d.units, symmetry(scene), spring.stiffness),
-         spring.free_length / dx, spring.installed_length / dx, spring.radius / dx}));
+        s.membrane, {core::to_lattice_stiffness(d.units, symmetry(scene), spring.stiffness),
+                     spring.free_length / dx, spring.installed_length / dx, spring.radius / dx}));
   }
   Eigen::VectorXd const mass = structure::lumped_mass(s.membrane);
   Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(mass.size());
@@ -77,7 +75,8 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
 void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& d)
 {
   if (!s.seat)
-    reject(scene, "contact", "is needed for a hydrostatic state: it is the seat that parts regions");
+    reject(scene, "contact",
+           "is needed for a hydrostatic state: it is the seat that parts regions");
   bool const augment = scene.contact->method == ContactMethod::augmented_lagrangian;
   s.load.lip = scene.contact->lip_pressure == LipPressure::none ? contact::LipPressure::none
                                                                 : contact::LipPressure::linear;

@@ -18,8 +18,8 @@ struct HydrostaticScene {
   ibm::HydrostaticReport report;
 };
 
-/// Membrane, spring and contact, undeformed. The penalty is the scene's, or as stiff as sub-steps of
-/// the lattice's step stay stable with.
+/// Membrane, spring and contact, undeformed. The penalty is the scene's, or as stiff as sub-steps
+/// of the lattice's step stay stable with.
 HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& derived);
 
 /// Closes the membrane by its spring at zero pressure, then applies the pressures at time 0: the

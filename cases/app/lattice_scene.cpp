@@ -11,11 +11,16 @@ namespace {
 lbm::OpeningKind opening_kind(BoundaryKind kind)
 {
   switch (kind) {
-    case BoundaryKind::traction: return lbm::OpeningKind::traction;
-    case BoundaryKind::pressure: return lbm::OpeningKind::pressure;
-    case BoundaryKind::velocity: return lbm::OpeningKind::velocity;
-    case BoundaryKind::flow_rate: return lbm::OpeningKind::flow_rate;
-    case BoundaryKind::outflow: break;
+    case BoundaryKind::traction:
+      return lbm::OpeningKind::traction;
+    case BoundaryKind::pressure:
+      return lbm::OpeningKind::pressure;
+    case BoundaryKind::velocity:
+      return lbm::OpeningKind::velocity;
+    case BoundaryKind::flow_rate:
+      return lbm::OpeningKind::flow_rate;
+    case BoundaryKind::outflow:
+      break;
   }
   return lbm::OpeningKind::outflow;
 }
@@ -31,10 +36,10 @@ bool takes(PlacedPatch const& patch, lbm::WallHit const& hit, core::Vec2 upper_c
 {
   double const along = hit.at[patch.side ? 1 - patch.side->axis : 1];
   if (along < patch.from || along > patch.to) return false;
-  if (!patch.side)
-    return !hit.box_side && std::abs(core::distance(patch.solid, hit.at)) < 1e-6;
+  if (!patch.side) return !hit.box_side && std::abs(core::distance(patch.solid, hit.at)) < 1e-6;
   if (!hit.box_side) return false;
-  int const axis = patch.side->axis, c = axis == 0 ? lbm::D2Q9::cx(hit.dir) : lbm::D2Q9::cy(hit.dir);
+  int const axis = patch.side->axis,
+            c = axis == 0 ? lbm::D2Q9::cx(hit.dir) : lbm::D2Q9::cy(hit.dir);
   int const cell = axis == 0 ? hit.i : hit.j;
   int const last = static_cast<int>(upper_corner[axis]) - 1;
   return patch.side->upper ? c == 1 && cell == last : c == -1 && cell == 0;
@@ -60,10 +65,12 @@ double lattice_target(Scene const& scene, Derived const& d, Boundary const& boun
 {
   double const value = value_at(boundary.value, time);
   switch (boundary.kind) {
-    case BoundaryKind::velocity: return core::to_lattice_velocity(d.units, value);
+    case BoundaryKind::velocity:
+      return core::to_lattice_velocity(d.units, value);
     case BoundaryKind::flow_rate:
       return core::to_lattice_flow_rate(d.units, symmetry(scene), value);
-    default: return core::to_lattice_pressure(d.units, value);
+    default:
+      return core::to_lattice_pressure(d.units, value);
   }
 }
 
@@ -90,8 +97,7 @@ LatticeScene<Real> make_lattice_scene(Scene const& scene, double smagorinsky)
     for (std::size_t p = 0; p < boundary.patches.size(); ++p) {
       Patch const& patch = boundary.patches[p];
       PlacedPatch placed{box_side(patch.side), {}, patch.from / dx, patch.to / dx};
-      if (!placed.side)
-        placed.solid = core::transformed(solid(scene, patch.side), 1 / dx, {0, 0});
+      if (!placed.side) placed.solid = core::transformed(solid(scene, patch.side), 1 / dx, {0, 0});
       PatchOpening opening{boundary.name, {}, {}};
       for (std::size_t k = 0; k < s.walls.hits.size(); ++k) {
         lbm::WallHit const& h = s.walls.hits[k];
@@ -107,8 +113,7 @@ LatticeScene<Real> make_lattice_scene(Scene const& scene, double smagorinsky)
       opening.opening.kind = opening_kind(boundary.kind);
       opening.opening.normal = normal_of(placed, opening.links);
       lbm::upload(opening.opening.links, opening.links);
-      opening.opening.area =
-          lbm::opening_area(s.fluid, opening.links, opening.opening.normal);
+      opening.opening.area = lbm::opening_area(s.fluid, opening.links, opening.opening.normal);
       s.openings.push_back(opening);
     }
   for (std::size_t k = 0; k < s.walls.hits.size(); ++k)

@@ -20,10 +20,10 @@ double volume_under(std::vector<core::Vec2> const& face, core::Symmetry symmetry
     core::Vec2 q = face[a + 1];
     if (q[1] > divide) q = p + ((divide - p[1]) / (q[1] - p[1])) * (q - p);
     double const dy = q[1] - p[1];
-    volume += symmetry == core::Symmetry::planar
-                  ? dy * (p[0] + q[0]) / 2
-                  : std::numbers::pi * dy *
-                        (p[0] * (2 * p[1] + q[1]) + q[0] * (p[1] + 2 * q[1])) / 3;
+    volume +=
+        symmetry == core::Symmetry::planar
+            ? dy * (p[0] + q[0]) / 2
+            : std::numbers::pi * dy * (p[0] * (2 * p[1] + q[1]) + q[0] * (p[1] + 2 * q[1])) / 3;
   }
   return volume;
 }
@@ -108,10 +108,10 @@ void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long
   double const density = std::max(std::abs(seen.rho_min), std::abs(seen.rho_max));
   if (!lost && mach < 1 && density < 0.5) return;
   auto const& f = s.state.fluid;
-  core::Vec2 const at = s.derived.units.dx *
-                        (f.origin + core::Vec2{seen.worst_i + 0.5, seen.worst_j + 0.5});
+  core::Vec2 const at =
+      s.derived.units.dx * (f.origin + core::Vec2{seen.worst_i + 0.5, seen.worst_j + 0.5});
   std::string const what =
-      lost ? fmt::format("the fluid is no longer finite in {} cells", seen.not_finite)
+      lost        ? fmt::format("the fluid is no longer finite in {} cells", seen.not_finite)
       : mach >= 1 ? fmt::format("the fluid moves at Mach {:.2f}", mach)
                   : fmt::format("the density is off by {:.0f} %", 100 * density);
   throw core::Divergence(fmt::format(

@@ -11,16 +11,16 @@ namespace velum::cases {
 struct Measurement {
   double time = 0;
   double pressure_above = 0, pressure_outside = 0, pressure_inside = 0;
-  double volume_inside = 0;     // under the membrane within the seat
-  double mass_inside = 0;       // of fluid there, density times volume
-  double centre = 0;            // axial place of the membrane's middle
+  double volume_inside = 0;  // under the membrane within the seat
+  double mass_inside = 0;    // of fluid there, density times volume
+  double centre = 0;         // axial place of the membrane's middle
   double penetration = 0, seat_force = 0;
-  double speed_max = 0;         // of the fluid
-  double density_error = 0;     // largest |rho - rho0| / rho0
+  double speed_max = 0;      // of the fluid
+  double density_error = 0;  // largest |rho - rho0| / rho0
   // since the start of the run, volume at rest density
   double outflow = 0, inflow = 0;
   double through_seat = 0, through_membrane = 0;
-  bool sealed = false;          // no path of populations from inlet to outlet
+  bool sealed = false;  // no path of populations from inlet to outlet
 };
 
 /// Sums that a run keeps from step to step, lattice units.
@@ -37,8 +37,8 @@ Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, doubl
 template <class Real, template <class> class Body>
 std::string likely_cause(CoupledScene<Real, Body> const& s);
 
-/// Throws core::Divergence with step, cell, place and likely cause when the fluid has left the range
-/// of the method: not finite, faster than its sound, or density off by half.
+/// Throws core::Divergence with step, cell, place and likely cause when the fluid has left the
+/// range of the method: not finite, faster than its sound, or density off by half.
 template <class Real, template <class> class Body>
 void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long step);
 

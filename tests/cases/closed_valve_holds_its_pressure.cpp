@@ -54,9 +54,9 @@ TEST(ClosedValve, SealsWhereverTheSeatLies)
     for (bool along : {true, false}) {
       Scratch const out("closed_valve_shifted");
       std::string const by = fmt::format("{} um", 50 * quarter);
-      auto const run = run_closed_valve(
-          out, fmt::format(" --set 'solid.seat.shift=[\"{}\", \"{}\"]'", along ? by : "0 um",
-                           along ? "0 um" : by));
+      auto const run =
+          run_closed_valve(out, fmt::format(" --set 'solid.seat.shift=[\"{}\", \"{}\"]'",
+                                            along ? by : "0 um", along ? "0 um" : by));
       ASSERT_EQ(run.exit_code, 0) << run.text;
       expect_sealed(out);
     }
@@ -75,7 +75,8 @@ TEST(ClosedValve, SinglePrecisionHoldsToo)
 TEST(ClosedValve, DivergenceSaysWhereAndWhy)
 {
   Scratch const out("closed_valve_explicit");
-  auto const run = run_closed_valve(out, " --set coupling.scheme=explicit --set lattice.collision=bgk");
+  auto const run =
+      run_closed_valve(out, " --set coupling.scheme=explicit --set lattice.collision=bgk");
   EXPECT_EQ(run.exit_code, 3) << run.text;
   EXPECT_NE(run.text.find("step"), std::string::npos) << run.text;
   EXPECT_NE(run.text.find("cause"), std::string::npos) << run.text;

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace velum::tests {
 namespace {
 
@@ -74,7 +73,8 @@ TEST_F(ProgramOnBadInput, GoodUseExitsWithZeroAndWithoutNoiseFromKokkos)
   EXPECT_EQ(info.exit_code, 0);
   EXPECT_EQ(info.text.find("WARNING"), std::string::npos) << info.text;
   EXPECT_NE(info.text.find("toml++"), std::string::npos);
-  auto const check = velum_program("check " + scene + " --threads 1 --set inlet.pressure=\"70 kPa\"");
+  auto const check =
+      velum_program("check " + scene + " --threads 1 --set inlet.pressure=\"70 kPa\"");
   EXPECT_EQ(check.exit_code, 0) << check.text;
   EXPECT_NE(check.text.find("mass ratio"), std::string::npos);
 }

@@ -1,11 +1,14 @@
-// problem:   a membrane driven at a prescribed speed U across 20 rows of cells pushes fluid out of a
+// problem:   a membrane driven at a prescribed speed U across 20 rows of cells pushes fluid out of
+// a
 //            box with one open side; flat, tilted, and clamped at its rim, planar and axisymmetric,
 //            thick and (almost) without thickness
 // reference: the volume swept, change of the volume below the minus face
-// measure:   volume through the opening between two crossings of the same place in a cell, less what
+// measure:   volume through the opening between two crossings of the same place in a cell, less
+// what
 //            the fluid stored; relative error
 // tolerance: 0.6 %
-// why:       the interpolated bounce-back does not conserve mass exactly where it moves; the trial of
+// why:       the interpolated bounce-back does not conserve mass exactly where it moves; the trial
+// of
 //            the method showed 0.6 %. A coupling coefficient wrong by 2 displaces twice the volume,
 //            and no static test notices
 #include <gtest/gtest.h>
@@ -81,8 +84,7 @@ TEST(DrivenMembrane, ClampedDisplacesTheRightVolume)
         double const z = round ? y / R : (y - half) / half;
         return (1 - z * z) * (1 - z * z);  // level at the rim, as a clamp holds it
       };
-      EXPECT_NEAR(displaced_over_swept(spec, 0.005, share), 1, 0.006)
-          << round << " h " << h;
+      EXPECT_NEAR(displaced_over_swept(spec, 0.005, share), 1, 0.006) << round << " h " << h;
     }
 }
 

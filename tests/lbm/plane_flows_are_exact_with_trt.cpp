@@ -20,9 +20,9 @@ double profile_error(int n, double nu, double force, double lid, bool poiseuille
   lbm::Model model{lbm::Collision::trt, nu, 3.0 / 16};
   model.periodic_x = true;
   model.body_force = {force, 0};
-  auto flow = tests::make_flow(
-      lbm::make_fluid<double>(4, n, {0, 0}, core::Symmetry::planar, model), tests::no_solids(),
-      [&](lbm::WallHit const& h) { return h.at[1] > n / 2.0 ? -2 : -1; });
+  auto flow = tests::make_flow(lbm::make_fluid<double>(4, n, {0, 0}, core::Symmetry::planar, model),
+                               tests::no_solids(),
+                               [&](lbm::WallHit const& h) { return h.at[1] > n / 2.0 ? -2 : -1; });
   flow.wall_velocity = {lid, 0};
   for (int t = 0; t < int(32 * n * n / nu / 9.87) + 200; ++t) tests::step(flow);
   auto const state = lbm::cell_states(flow.fluid);

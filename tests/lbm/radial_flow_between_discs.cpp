@@ -24,18 +24,20 @@ Drop pressure_drop(lbm::Collision collision, double reynolds)
   int const h = 8, inner = 5 * h, outer = 25 * h;
   double const u1 = reynolds < 3 ? 0.02 : 0.04, nu = u1 * h / reynolds;
   lbm::Model model{collision, nu, 1.0 / 8};
-  auto flow = tests::make_flow(
-      lbm::make_fluid<double>(h, outer - inner, {0, double(inner)}, core::Symmetry::axisymmetric,
-                              model),
-      tests::no_solids(),
-      [&](lbm::WallHit const& hit) {
-        bool const corner = lbm::D2Q9::cx(hit.dir) != 0 && (hit.at[0] <= 0 || hit.at[0] >= h);
-        if (corner || lbm::D2Q9::cy(hit.dir) == 0) return -1;
-        return hit.at[1] < inner + 1 ? 0 : hit.at[1] > outer - 1 ? 1 : -1;
-      },
-      {{lbm::OpeningKind::velocity, {0, 1}, u1,
-        [&](core::Vec2 at) { return 6 * at[0] / h * (1 - at[0] / h); }},
-       {lbm::OpeningKind::pressure, {0, -1}, 0.0}});
+  auto flow = tests::make_flow(lbm::make_fluid<double>(h, outer - inner, {0, double(inner)},
+                                                       core::Symmetry::axisymmetric, model),
+                               tests::no_solids(),
+                               [&](lbm::WallHit const& hit) {
+                                 bool const corner = lbm::D2Q9::cx(hit.dir) != 0 &&
+                                                     (hit.at[0] <= 0 || hit.at[0] >= h);
+                                 if (corner || lbm::D2Q9::cy(hit.dir) == 0) return -1;
+                                 return hit.at[1] < inner + 1 ? 0 : hit.at[1] > outer - 1 ? 1 : -1;
+                               },
+                               {{lbm::OpeningKind::velocity,
+                                 {0, 1},
+                                 u1,
+                                 [&](core::Vec2 at) { return 6 * at[0] / h * (1 - at[0] / h); }},
+                                {lbm::OpeningKind::pressure, {0, -1}, 0.0}});
   for (int t = 0; t < 25000; ++t) tests::step(flow);
   auto const state = lbm::cell_states(flow.fluid);
   auto const mean_pressure = [&](int r) {

@@ -52,8 +52,10 @@ TEST(TaylorGreen, IsSecondOrderWithEachCollision)
 {
   for (auto c : {lbm::Collision::bgk, lbm::Collision::trt, lbm::Collision::central_moments}) {
     std::vector<double> const h = {1. / 16, 1. / 32, 1. / 64};
-    std::vector<double> const e = {error<double>(c, 16), error<double>(c, 32), error<double>(c, 64)};
-    EXPECT_NEAR(tests::order(h, e), 2, 0.25) << int(c) << ": " << e[0] << " " << e[1] << " " << e[2];
+    std::vector<double> const e = {error<double>(c, 16), error<double>(c, 32),
+                                   error<double>(c, 64)};
+    EXPECT_NEAR(tests::order(h, e), 2, 0.25)
+        << int(c) << ": " << e[0] << " " << e[1] << " " << e[2];
     EXPECT_LT(e[2], 0.01);
   }
 }

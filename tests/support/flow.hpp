@@ -48,7 +48,9 @@ Flow<Real> make_flow(lbm::Fluid<Real> fluid, core::Obstacle const& solids, Assig
     int const part = assign(h);
     double const weight = part >= 0 ? specs[static_cast<std::size_t>(part)].profile(h.at) : 1.0;
     lbm::Link const link{h.i, h.j, std::int16_t(h.dir), std::int16_t(second), float(weight), h.q};
-    (part == -1 ? resting : part == -2 ? moving : open[static_cast<std::size_t>(part)])
+    (part == -1   ? resting
+     : part == -2 ? moving
+                  : open[static_cast<std::size_t>(part)])
         .push_back(link);
   }
   lbm::upload(flow.resting, resting);

@@ -16,7 +16,8 @@ inline double figure(std::filesystem::path const& folder, std::string const& nam
   text << file.rdbuf();
   std::string const all = text.str();
   std::smatch match;
-  if (!std::regex_search(all, match, std::regex("\"" + name + "\":\\s*\\{\\s*\"value\":\\s*([^,]+),")))
+  if (!std::regex_search(all, match,
+                         std::regex("\"" + name + "\":\\s*\\{\\s*\"value\":\\s*([^,]+),")))
     throw std::runtime_error("summary.json has no figure " + name);
   return std::stod(match[1]);
 }
