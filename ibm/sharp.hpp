@@ -14,6 +14,7 @@ struct CutLink {
   double ring;
   std::uint8_t side;  // plus_side or minus_side: of the fluid cell
   bool downstream;    // for the ledger
+  bool wedge;         // the cell touches a wall as well: half-way rule
 };
 
 /// What the fluid says to the structure in one step, lattice units.

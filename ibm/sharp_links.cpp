@@ -40,8 +40,8 @@ void add_cut(Sharp<Real>& body, lbm::Fluid<Real> const& fluid, int i, int j, int
   double const y = fluid.origin[1] + j + 0.5;
   std::uint8_t const side = body.cells.at(i, j);
   body.cut_host.push_back(link(body, fluid, i, j, dir, hit.q));
-  body.cut.push_back(
-      {hit, lbm::link_ring(fluid.symmetry, y, dir), side, side == fluid_minus && y < body.divide});
+  body.cut.push_back({hit, lbm::link_ring(fluid.symmetry, y, dir), side,
+                      side == fluid_minus && y < body.divide, false});
 }
 
 /// Sites of row j that may have a neighbour across the membrane: from two below the lowest crossing
@@ -86,6 +86,30 @@ void mark_active(Sharp<Real> const& body, lbm::Fluid<Real>& fluid)
       host(j + 1, i + 1) = is_fluid(s) ? s : 0;
     }
   Kokkos::deep_copy(fluid.active, host);
+}
+
+/// Cells that touch both a wall and the membrane, in the wedge where the two meet, reflect
+/// half-way: with both sides interpolated such a cell answers itself, and at low viscosity its
+/// answer grows.
+template <class Real>
+void round_wedges(Sharp<Real>& body, std::vector<lbm::Link>& resting)
+{
+  std::vector<std::uint8_t> touches(body.cells.state.size(), 0);
+  auto const cell = [&](lbm::Link const& l) -> std::uint8_t& {
+    return touches[static_cast<std::size_t>(l.j * body.cells.labels.nx + l.i)];
+  };
+  for (lbm::Link const& l : body.cut_host) cell(l) |= 1;
+  for (lbm::Link const& l : resting) cell(l) |= 2;
+  auto const half_way = [](lbm::Link& l) {
+    l.q = 0.5;
+    l.second = 0;
+  };
+  for (lbm::Link& l : resting)
+    if (cell(l) == 3) half_way(l);
+  for (std::size_t k = 0; k < body.cut.size(); ++k) {
+    body.cut[k].wedge = cell(body.cut_host[k]) == 3;
+    if (body.cut[k].wedge) half_way(body.cut_host[k]);
+  }
 }
 
 template <class Real>
@@ -135,6 +159,7 @@ void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
       }
     }
   }
+  round_wedges(body, resting);
   lbm::upload(body.resting, resting);
   upload_cuts(body);
   mark_active(body, fluid);
@@ -146,7 +171,7 @@ void recut(Sharp<Real>& body)
   for (std::size_t k = 0; k < body.cut.size(); ++k) {
     lbm::Link& l = body.cut_host[k];
     body.cut[k].hit = find_hit(body, l.i, l.j, l.dir);
-    l.q = body.cut[k].hit.q;
+    if (!body.cut[k].wedge) l.q = body.cut[k].hit.q;
   }
   upload_cuts(body);
 }
