@@ -29,8 +29,8 @@ for folder in core lbm structure contact ibm cases tests; do
     --include=*.hpp --include=*.cpp --exclude-dir=consumer)
 
   while read -r file; do
-    grep -vE '^[[:space:]]*(//.*)?$' "$file" | head -n 1 | grep -qx '#pragma once' ||
-      fault "$file:1: a header opens with #pragma once"
+    first=$(awk '!/^[[:space:]]*(\/\/.*)?$/ { print; exit }' "$file")
+    [[ $first == '#pragma once' ]] || fault "$file:1: a header opens with #pragma once"
   done < <(find "$folder" -name '*.hpp')
 done
 
