@@ -88,9 +88,12 @@ void mark_active(Sharp<Real> const& body, lbm::Fluid<Real>& fluid)
   Kokkos::deep_copy(fluid.active, host);
 }
 
-/// Cells that touch both a wall and the membrane, in the wedge where the two meet, reflect
-/// half-way: with both sides interpolated such a cell answers itself, and at low viscosity its
-/// answer grows.
+/// A cell is in the wedge where wall and membrane meet when both are touched within this many
+/// cells.
+constexpr int wedge_reach = 4;
+
+/// In such a wedge both reflect half-way: interpolated, the corner answers itself, and at low
+/// viscosity its answer grows.
 template <class Real>
 void round_wedges(Sharp<Real>& body, std::vector<lbm::Link>& resting)
 {
@@ -104,10 +107,18 @@ void round_wedges(Sharp<Real>& body, std::vector<lbm::Link>& resting)
     l.q = 0.5;
     l.second = 0;
   };
+  int const nx = body.cells.labels.nx, ny = body.cells.labels.ny;
+  auto const in_wedge = [&](lbm::Link const& l) {
+    std::uint8_t seen = 0;
+    for (int j = std::max(0, l.j - wedge_reach); j <= std::min(ny - 1, l.j + wedge_reach); ++j)
+      for (int i = std::max(0, l.i - wedge_reach); i <= std::min(nx - 1, l.i + wedge_reach); ++i)
+        seen |= touches[static_cast<std::size_t>(j * nx + i)];
+    return seen == 3;
+  };
   for (lbm::Link& l : resting)
-    if (cell(l) == 3) half_way(l);
+    if (in_wedge(l)) half_way(l);
   for (std::size_t k = 0; k < body.cut.size(); ++k) {
-    body.cut[k].wedge = cell(body.cut_host[k]) == 3;
+    body.cut[k].wedge = in_wedge(body.cut_host[k]);
     if (body.cut[k].wedge) half_way(body.cut_host[k]);
   }
 }
