@@ -92,8 +92,8 @@ void mark_active(Sharp<Real> const& body, lbm::Fluid<Real>& fluid)
 /// cells.
 constexpr int wedge_reach = 4;
 
-/// In such a wedge both reflect half-way: interpolated, the corner answers itself, and at low
-/// viscosity its answer grows.
+/// In such a wedge both reflect half-way: where both are interpolated the corner answers itself,
+/// and at low viscosity its answer grows. Walls that are half-way by their place do no harm.
 template <class Real>
 void round_wedges(Sharp<Real>& body, std::vector<lbm::Link>& resting)
 {
@@ -102,7 +102,8 @@ void round_wedges(Sharp<Real>& body, std::vector<lbm::Link>& resting)
     return touches[static_cast<std::size_t>(l.j * body.cells.labels.nx + l.i)];
   };
   for (lbm::Link const& l : body.cut_host) cell(l) |= 1;
-  for (lbm::Link const& l : resting) cell(l) |= 2;
+  for (lbm::Link const& l : resting)
+    if (l.q != 0.5) cell(l) |= 2;
   auto const half_way = [](lbm::Link& l) {
     l.q = 0.5;
     l.second = 0;
