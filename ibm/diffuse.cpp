@@ -25,17 +25,6 @@ core::Vec2 velocity_at(FaceMarker const& m, Eigen::VectorXd const& velocity)
          m.share * structure::node(velocity, m.second) + m.drift;
 }
 
-void reset(Exchange& e, std::size_t nodes)
-{
-  e.force.setZero(static_cast<Eigen::Index>(2 * nodes));
-  e.block.assign(nodes, Eigen::Matrix2d::Zero());
-  for (int side : {0, 1}) {
-    e.link_area[side].assign(nodes, {});
-    e.pressure[side].assign(nodes, 0);
-    e.samples[side].assign(nodes, 0);
-  }
-}
-
 void add(Exchange& e, int node, double strength, core::Vec2 U)
 {
   e.force[2 * node] += strength * U[0];
@@ -83,11 +72,7 @@ Diffuse<Real> make_diffuse(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
   body.walls = walls;
   body.divide = divide;
   std::vector<lbm::Link> resting;
-  for (lbm::WallHit const& h : wall_hits) {
-    auto const behind = lbm::neighbour(fluid, h.i, h.j, lbm::D2Q9::opposite(h.dir));
-    bool const second = behind.i >= 0 && !walls.is_solid(behind.i, behind.j);
-    resting.push_back({h.i, h.j, std::int16_t(h.dir), std::int16_t(second), 1.0f, h.q});
-  }
+  for (lbm::WallHit const& h : wall_hits) resting.push_back(lbm::link_at(fluid, walls, h));
   lbm::upload(body.resting, resting);
   lbm::use_force_field(fluid);
   body.labels = make_labels(fluid.nx, fluid.ny, fluid.origin);

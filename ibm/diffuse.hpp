@@ -2,10 +2,12 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "ibm/exchange.hpp"
 #include "ibm/face_markers.hpp"
 #include "ibm/labels.hpp"
-#include "ibm/sharp.hpp"
+#include "ibm/ledger.hpp"
 #include "ibm/stencil.hpp"
+#include "lbm/walls.hpp"
 
 namespace velum::ibm {
 

@@ -15,17 +15,6 @@ namespace {
 
 using lbm::D2Q9;
 
-void reset(Exchange& e, std::size_t nodes)
-{
-  e.force.setZero(static_cast<Eigen::Index>(2 * nodes));
-  e.block.assign(nodes, Eigen::Matrix2d::Zero());
-  for (int side : {0, 1}) {
-    e.link_area[side].assign(nodes, {});
-    e.pressure[side].assign(nodes, 0);
-    e.samples[side].assign(nodes, 0);
-  }
-}
-
 /// Hands a link's force, block, area and pressure to one node with the given share.
 void add(Exchange& e, int node, double share, int side, core::Vec2 c, double w, double ring,
          double sum, double kappa)

@@ -1,8 +1,8 @@
 #pragma once
-#include <Eigen/Core>
 #include <vector>
 
 #include "ibm/cells.hpp"
+#include "ibm/exchange.hpp"
 #include "ibm/ledger.hpp"
 #include "lbm/link.hpp"
 
@@ -15,16 +15,6 @@ struct CutLink {
   std::uint8_t side;  // plus_side or minus_side: of the fluid cell
   bool downstream;    // for the ledger
   bool wedge;         // the cell touches a wall as well: half-way rule
-};
-
-/// What the fluid says to the structure in one step, lattice units.
-struct Exchange {
-  Eigen::VectorXd force;                 // F0, at wall velocity zero              [2N]
-  std::vector<Eigen::Matrix2d> block;    // Z: the force is F0 - Z v                [N]
-  std::vector<core::Vec2> link_area[2];  // per side: sum of 6 w c ring over links  [N]
-  std::vector<double> pressure[2];       // per side: mean over the node's links    [N]
-  std::vector<double> samples[2];        // weight of that mean, 0 = no link        [N]
-  int link_count = 0;                    // links, or markers, that took part
 };
 
 /// Sharp link-cut immersed boundary: the membrane is a solid with two wet faces; a link whose ends

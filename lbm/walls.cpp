@@ -68,6 +68,14 @@ Walls find_walls(Fluid<Real> const& fluid, core::Obstacle const& solids)
 }
 
 template <class Real>
+Link link_at(Fluid<Real> const& fluid, Walls const& walls, WallHit const& hit, double weight)
+{
+  Neighbour const behind = neighbour(fluid, hit.i, hit.j, D2Q9::opposite(hit.dir));
+  bool const second = behind.i >= 0 && !walls.is_solid(behind.i, behind.j);
+  return {hit.i, hit.j, std::int16_t(hit.dir), std::int16_t(second), float(weight), hit.q};
+}
+
+template <class Real>
 void deactivate_solids(Fluid<Real>& fluid, Walls const& walls)
 {
   auto const active_host = Kokkos::create_mirror_view(fluid.active);
@@ -80,6 +88,8 @@ template Neighbour neighbour(Fluid<float> const&, int, int, int);
 template Neighbour neighbour(Fluid<double> const&, int, int, int);
 template Walls find_walls(Fluid<float> const&, core::Obstacle const&);
 template Walls find_walls(Fluid<double> const&, core::Obstacle const&);
+template Link link_at(Fluid<float> const&, Walls const&, WallHit const&, double);
+template Link link_at(Fluid<double> const&, Walls const&, WallHit const&, double);
 template void deactivate_solids(Fluid<float>&, Walls const&);
 template void deactivate_solids(Fluid<double>&, Walls const&);
 

@@ -43,4 +43,8 @@ struct Neighbour {
 template <class Real>
 Neighbour neighbour(Fluid<Real> const& fluid, int i, int j, int dir);
 
+/// The link of a wall hit; its second cell is the one behind, where that is fluid.
+template <class Real>
+Link link_at(Fluid<Real> const& fluid, Walls const& walls, WallHit const& hit, double weight = 1);
+
 }  // namespace velum::lbm

@@ -26,11 +26,7 @@ template <class Real>
 lbm::LinkList resting_walls(LatticeScene<Real> const& s)
 {
   std::vector<lbm::Link> links;
-  for (lbm::WallHit const& h : s.wall_hits) {
-    auto const behind = lbm::neighbour(s.fluid, h.i, h.j, lbm::D2Q9::opposite(h.dir));
-    bool const second = behind.i >= 0 && !s.walls.is_solid(behind.i, behind.j);
-    links.push_back({h.i, h.j, std::int16_t(h.dir), std::int16_t(second), 1.0f, h.q});
-  }
+  for (lbm::WallHit const& h : s.wall_hits) links.push_back(lbm::link_at(s.fluid, s.walls, h));
   lbm::LinkList list;
   lbm::upload(list, links);
   return list;

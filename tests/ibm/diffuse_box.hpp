@@ -25,30 +25,11 @@ inline DiffuseScene make_diffuse_box(PistonSpec const& spec)
     else
       rest.push_back(h);
   }
-  if (spec.open) {
-    lbm::Opening o;
-    o.kind = lbm::OpeningKind::pressure;
-    o.normal = {-1, 0};
-    lbm::upload(o.links, open);
-    o.area = lbm::opening_area(s.fluid, open, o.normal);
-    s.openings.push_back(o);
-    s.targets.push_back(0);
-  }
+  open_side(s, open, {-1, 0});
   double const all_downstream = 2.0 * spec.ny;
   s.body = ibm::make_diffuse(s.fluid, sharp.body.walls, rest, s.membrane, all_downstream);
   s.stepper = structure::explicit_stepper(s.membrane, spec.damping);
   return s;
-}
-
-/// All nodes driven along x at the given speed (any function of the reference radius).
-inline void drive(DiffuseScene& s, std::function<double(double)> const& speed)
-{
-  for (int a = 0; a < structure::node_count(s.membrane); ++a) {
-    s.membrane.fixed[static_cast<std::size_t>(2 * a)] = 1;
-    s.membrane.fixed[static_cast<std::size_t>(2 * a + 1)] = 1;
-    s.membrane.velocity[2 * a] = speed(s.membrane.reference[2 * a + 1]);
-    s.membrane.velocity[2 * a + 1] = 0;
-  }
 }
 
 }  // namespace velum::tests

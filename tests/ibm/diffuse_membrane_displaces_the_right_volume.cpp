@@ -91,13 +91,7 @@ TEST(DiffuseMembrane, ClampedDisplacesTheRightVolume)
     for (double h : {4.0, 0.01}) {
       auto spec = box(symmetry, h);
       spec.ny = 60;
-      bool const round = symmetry == core::Symmetry::axisymmetric;
-      double const R = spec.ny, half = R / 2;
-      auto const share = [=](double y) {
-        double const z = round ? y / R : (y - half) / half;
-        return (1 - z * z) * (1 - z * z);  // level at the rim, as a clamp holds it
-      };
-      displaces_the_right_volume(spec, share);
+      displaces_the_right_volume(spec, tests::clamped_speed(symmetry, spec.ny));
     }
 }
 

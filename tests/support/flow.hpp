@@ -43,11 +43,9 @@ Flow<Real> make_flow(lbm::Fluid<Real> fluid, core::Obstacle const& solids, Assig
   std::vector<lbm::Link> resting, moving;
   std::vector<std::vector<lbm::Link>> open(specs.size());
   for (lbm::WallHit const& h : flow.walls.hits) {
-    auto const behind = lbm::neighbour(fluid, h.i, h.j, lbm::D2Q9::opposite(h.dir));
-    bool const second = behind.i >= 0 && !flow.walls.is_solid(behind.i, behind.j);
     int const part = assign(h);
     double const weight = part >= 0 ? specs[static_cast<std::size_t>(part)].profile(h.at) : 1.0;
-    lbm::Link const link{h.i, h.j, std::int16_t(h.dir), std::int16_t(second), float(weight), h.q};
+    lbm::Link const link = lbm::link_at(fluid, flow.walls, h, weight);
     (part == -1   ? resting
      : part == -2 ? moving
                   : open[static_cast<std::size_t>(part)])

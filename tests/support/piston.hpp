@@ -25,6 +25,20 @@ struct PistonSpec {
   double to = 0;    // y of the last node; 0: the side of the box
 };
 
+/// Opens the links of a side of the box at rest pressure; no links, no opening.
+template <class Scene>
+void open_side(Scene& s, std::vector<lbm::Link> const& links, core::Vec2 normal)
+{
+  if (links.empty()) return;
+  lbm::Opening o;
+  o.kind = lbm::OpeningKind::pressure;
+  o.normal = normal;
+  lbm::upload(o.links, links);
+  o.area = lbm::opening_area(s.fluid, links, o.normal);
+  s.openings.push_back(o);
+  s.targets.push_back(0);
+}
+
 template <class Real = double>
 SharpSceneOf<Real> make_piston(PistonSpec const& spec)
 {
@@ -48,23 +62,15 @@ SharpSceneOf<Real> make_piston(PistonSpec const& spec)
     else
       rest.push_back(h);
   }
-  if (spec.open) {
-    lbm::Opening o;
-    o.kind = lbm::OpeningKind::pressure;
-    o.normal = {1, 0};
-    lbm::upload(o.links, open);
-    o.area = lbm::opening_area(s.fluid, open, o.normal);
-    s.openings.push_back(o);
-    s.targets.push_back(0);
-  }
+  open_side(s, open, {1, 0});
   s.body = ibm::make_sharp(s.fluid, walls, rest, s.membrane, 0);
   s.stepper = structure::explicit_stepper(s.membrane, spec.damping);
   return s;
 }
 
 /// All nodes driven along x at the given speed (any function of the reference radius).
-template <class Real>
-void drive(SharpSceneOf<Real>& s, std::function<double(double)> const& speed)
+template <class Scene>
+void drive(Scene& s, std::function<double(double)> const& speed)
 {
   for (int a = 0; a < structure::node_count(s.membrane); ++a) {
     s.membrane.fixed[static_cast<std::size_t>(2 * a)] = 1;
@@ -72,6 +78,17 @@ void drive(SharpSceneOf<Real>& s, std::function<double(double)> const& speed)
     s.membrane.velocity[2 * a] = speed(s.membrane.reference[2 * a + 1]);
     s.membrane.velocity[2 * a + 1] = 0;
   }
+}
+
+/// Speed over y of a membrane held at its rim whose middle goes at 1; level at the rim, as a clamp
+/// holds it. The middle is the axis, or half the way between the walls at 0 and to.
+inline std::function<double(double)> clamped_speed(core::Symmetry symmetry, double to)
+{
+  bool const round = symmetry == core::Symmetry::axisymmetric;
+  return [=](double y) {
+    double const z = round ? y / to : (2 * y - to) / to;
+    return (1 - z * z) * (1 - z * z);
+  };
 }
 
 }  // namespace velum::tests
