@@ -63,6 +63,7 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[9], Collision const& collisio
     // iterated.
     Real const mu = third * (1 / shear - Real(0.5)) * n;
     Real const linear = inv_y * inv_y * ((1 - bulk / 2) * off_axis / 6 * n - (2 + bulk / 2) * mu);
+#pragma GCC unroll 3  // a loop in here keeps the loop over the row from being vectorised
     for (int pass = 0; pass < 3; ++pass) {
       Real const u_theta = uy * inv_y;
       Q = -n * u_theta;
