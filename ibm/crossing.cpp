@@ -27,7 +27,7 @@ template <class Real>
 Crossing crossing(lbm::Fluid<Real> const& fluid, double divide)
 {
   int const nx = fluid.nx, ny = fluid.ny;
-  auto const f = fluid.f;
+  lbm::Fluid<Real> const grid = fluid;
   auto const active = fluid.active;
   auto const symmetry = fluid.symmetry;
   double const y0 = fluid.origin[1];
@@ -38,18 +38,18 @@ Crossing crossing(lbm::Fluid<Real> const& fluid, double divide)
       KOKKOS_LAMBDA(int c, double& up, double& down, double& seat) {
         int const i = c % nx, j = c / nx;
         double const y = y0 + j + 0.5;
-        int const from = part(active(j + 1, i + 1), y, divide);
+        int const from = part(active(grid.cell(i, j)), y, divide);
         if (from == 0) return;
         for (int d = 1; d < lbm::D2Q9::Q; d += 2) {  // one of each pair of directions
           int const x = i + lbm::D2Q9::cx(d);
           int row = j + lbm::D2Q9::cy(d);
           if (periodic) row = (row + ny) % ny;
           if (x < 0 || x >= nx || row < 0 || row >= ny) continue;
-          int const to = part(active(row + 1, x + 1), y0 + row + 0.5, divide);
+          int const to = part(active(grid.cell(x, row)), y0 + row + 0.5, divide);
           if (to == 0 || to == from) continue;
-          double const mass =
-              lbm::link_ring(symmetry, y, d) *
-              (double(f(d, row + 1, x + 1)) - double(f(lbm::D2Q9::opposite(d), j + 1, i + 1)));
+          double const mass = lbm::link_ring(symmetry, y, d) *
+                              (double(grid.f.arriving(d, grid.cell(x, row))) -
+                               double(grid.f.arriving(lbm::D2Q9::opposite(d), grid.cell(i, j))));
           if (from == minus_side && to == downstream) {
             seat += mass;
           } else if (from == downstream && to == minus_side) {

@@ -35,11 +35,10 @@ void add(Exchange& e, int node, double strength, core::Vec2 U)
 template <class Real>
 void mark_active(Diffuse<Real> const& body, lbm::Fluid<Real>& fluid)
 {
-  auto const host = Kokkos::create_mirror_view(fluid.active);
-  for (int j = 0; j < fluid.ny; ++j)
-    for (int i = 0; i < fluid.nx; ++i)
-      host(j + 1, i + 1) = body.walls.is_solid(i, j) ? std::uint8_t(0) : body.labels.at(i, j);
-  Kokkos::deep_copy(fluid.active, host);
+  std::vector<std::uint8_t> mask = body.labels.side;
+  for (std::size_t c = 0; c < mask.size(); ++c)
+    if (body.walls.solid[c]) mask[c] = 0;
+  lbm::mark(fluid, mask);
 }
 
 template <class Real>
@@ -86,7 +85,6 @@ Diffuse<Real> make_diffuse(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
 template <class Real>
 void feel(Diffuse<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane)
 {
-  lbm::stream(fluid);
   auto const& list = body.markers.list;
   interpolate(fluid, body.stencils, body.heard, static_cast<int>(list.size()));
   auto const heard = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), body.heard);
@@ -124,7 +122,7 @@ void impose(Diffuse<Real>& body, lbm::Fluid<Real>& fluid, Eigen::VectorXd const&
   ledger.membrane_up += crossed.up - swept_up;
   ledger.membrane_down += crossed.down - swept_down;
   ledger.seat += crossed.seat;
-  lbm::collide_in_place(fluid);
+  lbm::stream_and_collide(fluid);
 }
 
 template <class Real>

@@ -71,20 +71,18 @@ Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
 template <class Real>
 void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane)
 {
-  auto const f = fluid.f;
+  lbm::Fluid<Real> const from = fluid;
   auto const links = body.cut_links.links;
   auto const heard = body.heard;
   Kokkos::parallel_for(
       "velum::ibm::feel", body.cut_links.size, KOKKOS_LAMBDA(int k) {
         lbm::Link const l = links(k);
-        int const i = l.i + 1, j = l.j + 1;
-        Real const out = f(l.dir, j, i);
-        Real const behind = l.second ? f(l.dir, j - D2Q9::cy(l.dir), i - D2Q9::cx(l.dir)) : out;
-        Real const back = f(D2Q9::opposite(l.dir), j, i);
+        int const cell = from.cell(l.i, l.j);
+        auto const echo = lbm::echo(from.f, cell, l);
         Real rho = 0;
-        for (int d = 0; d < 9; ++d) rho += f(d, j, i);
-        heard(0, k) = double(out);
-        heard(1, k) = double(lbm::reflect(out, behind, back, l.q, l.second != 0));
+        for (int d = 0; d < 9; ++d) rho += from.f.outgoing(d, cell);
+        heard(0, k) = double(echo.out);
+        heard(1, k) = double(echo.back);
         heard(2, k) = 1 + double(rho);
       });
   auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), heard);
@@ -126,15 +124,15 @@ void impose(Sharp<Real>& body, lbm::Fluid<Real>& fluid, Eigen::VectorXd const& v
     (m.downstream ? ledger.membrane_down : ledger.membrane_up) += gained - swept;
   }
   Kokkos::deep_copy(body.wall_term, term_host);
-  auto const f = fluid.f;
+  lbm::Fluid<Real> const to = fluid;
   auto const links = body.cut_links.links;
   auto const reflected = body.heard;
   auto const term = body.wall_term;
   Kokkos::parallel_for(
       "velum::ibm::impose", body.cut_links.size, KOKKOS_LAMBDA(int k) {
         lbm::Link const l = links(k);
-        f(D2Q9::opposite(l.dir), l.j + 1 + D2Q9::cy(l.dir), l.i + 1 + D2Q9::cx(l.dir)) =
-            Real(reflected(1, k) - term(k));
+        to.f.set_arriving(D2Q9::opposite(l.dir), to.cell(l.i, l.j),
+                          Real(reflected(1, k) - term(k)));
       });
   ledger.seat += seat_crossing(body, fluid);
   lbm::stream_and_collide(fluid);

@@ -79,13 +79,10 @@ std::uint8_t label_beyond(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid
 template <class Real>
 void mark_active(Sharp<Real> const& body, lbm::Fluid<Real>& fluid)
 {
-  auto const host = Kokkos::create_mirror_view(fluid.active);
-  for (int j = 0; j < fluid.ny; ++j)
-    for (int i = 0; i < fluid.nx; ++i) {
-      std::uint8_t const s = body.cells.at(i, j);
-      host(j + 1, i + 1) = is_fluid(s) ? s : 0;
-    }
-  Kokkos::deep_copy(fluid.active, host);
+  std::vector<std::uint8_t> mask = body.cells.state;
+  for (std::uint8_t& s : mask)
+    if (!is_fluid(s)) s = 0;
+  lbm::mark(fluid, mask);
 }
 
 /// A cell is in the wedge where wall and membrane meet when both are touched within this many
@@ -193,20 +190,22 @@ double seat_crossing(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid)
 {
   int const row = static_cast<int>(std::lround(body.divide - fluid.origin[1]));
   if (row < 1 || row >= fluid.ny) return 0;
-  auto const f = fluid.f;
-  auto const active = fluid.active;
+  lbm::Fluid<Real> const from = fluid;
   int const nx = fluid.nx;
   double const ring = core::ring(fluid.symmetry, fluid.origin[1] + row);
   double sum = 0;
   Kokkos::parallel_reduce(
       "velum::ibm::seat_crossing", nx,
       KOKKOS_LAMBDA(int i, double& mass) {
-        if (active(row + 1, i + 1) != fluid_minus) return;
+        int const cell = from.cell(i, row);
+        if (from.active(cell) != fluid_minus) return;
         for (int d = 1; d < D2Q9::Q; ++d) {
           if (D2Q9::cy(d) != -1) continue;
           int const x = i + D2Q9::cx(d);
-          if (x < 0 || x >= nx || active(row, x + 1) != fluid_minus) continue;
-          mass += double(f(d, row + 1, i + 1)) - double(f(D2Q9::opposite(d), row, x + 1));
+          int const below = from.cell(x, row - 1);
+          if (x < 0 || x >= nx || from.active(below) != fluid_minus) continue;
+          mass +=
+              double(from.f.outgoing(d, cell)) - double(from.f.outgoing(D2Q9::opposite(d), below));
         }
       },
       sum);

@@ -39,6 +39,7 @@ void locate(lbm::Fluid<Real> const& fluid, MarkerField const& X, Stencils const&
   bool const periodic_x = fluid.model.periodic_x, periodic_y = fluid.model.periodic_y;
   bool const axis = fluid.has_axis();
   auto const active = fluid.active;
+  auto const grid = fluid;
   auto const origin = fluid.origin;
   Kokkos::parallel_for(
       "velum::ibm::locate", n, KOKKOS_LAMBDA(int k) {
@@ -53,7 +54,7 @@ void locate(lbm::Fluid<Real> const& fluid, MarkerField const& X, Stencils const&
           s.j_min = s.j[b] < s.j_min ? s.j[b] : s.j_min;
           s.j_max = s.j[b] > s.j_max ? s.j[b] : s.j_max;
           for (int a = 0; a < width; ++a)
-            if (active(s.j[b] + 1, s.i[a] + 1)) share += s.x[a] * s.y[b];
+            if (active(grid.cell(s.i[a], s.j[b]))) share += s.x[a] * s.y[b];
         }
         s.scale = share < least_share ? 0 : 1 / share;
         stencils(k) = s;
@@ -64,8 +65,7 @@ template <class Real>
 void interpolate(lbm::Fluid<Real> const& fluid, Stencils const& stencils, MarkerField const& U,
                  int n)
 {
-  auto const f = fluid.f;
-  auto const active = fluid.active;
+  lbm::Fluid<Real> const from = fluid;
   auto const half = 0.5 * fluid.model.body_force;
   Kokkos::parallel_for(
       "velum::ibm::interpolate", n, KOKKOS_LAMBDA(int k) {
@@ -74,12 +74,14 @@ void interpolate(lbm::Fluid<Real> const& fluid, Stencils const& stencils, Marker
         for (int b = 0; b < width; ++b)
           for (int a = 0; a < width; ++a) {
             double const weight = s.scale * s.x[a] * s.y[b];
-            if (weight == 0 || !active(s.j[b] + 1, s.i[a] + 1)) continue;
-            double site[9], rho, jx, jy;
-            for (int d = 0; d < 9; ++d) site[d] = double(f(d, s.j[b] + 1, s.i[a] + 1));
-            lbm::density_and_momentum(site, rho, jx, jy);
-            ux += weight * (jx + half[0]) / (1 + rho);
-            uy += weight * s.mirror[b] * (jy + half[1]) / (1 + rho);
+            int const cell = from.cell(s.i[a], s.j[b]);
+            if (weight == 0 || !from.active(cell)) continue;
+            double site[9], rho;
+            core::Vec2 m;
+            for (int d = 0; d < 9; ++d) site[d] = double(from.f.arriving(d, cell));
+            lbm::density_and_momentum<lbm::D2Q9>(site, rho, m);
+            ux += weight * (m[0] + half[0]) / (1 + rho);
+            uy += weight * s.mirror[b] * (m[1] + half[1]) / (1 + rho);
             density += weight * (1 + rho);
           }
         U(0, k) = ux;
@@ -94,6 +96,7 @@ void spread(lbm::Fluid<Real> const& fluid, Stencils const& stencils, MarkerField
 {
   auto const force = fluid.force;
   auto const active = fluid.active;
+  auto const grid = fluid;
   auto const symmetry = fluid.symmetry;
   double const y0 = fluid.origin[1];
   Kokkos::deep_copy(force, Real(0));
@@ -106,10 +109,11 @@ void spread(lbm::Fluid<Real> const& fluid, Stencils const& stencils, MarkerField
           for (int b = 0; b < width; ++b) {
             if (s.j[b] != j) continue;
             for (int a = 0; a < width; ++a) {
-              if (!active(j + 1, s.i[a] + 1)) continue;
+              int const cell = grid.cell(s.i[a], j);
+              if (!active(cell)) continue;
               double const weight = per_volume * s.scale * s.x[a] * s.y[b];
-              force(0, j + 1, s.i[a] + 1) += Real(weight * F(0, k));
-              force(1, j + 1, s.i[a] + 1) += Real(weight * s.mirror[b] * F(1, k));
+              force(0, cell) += Real(weight * F(0, k));
+              force(1, cell) += Real(weight * s.mirror[b] * F(1, k));
             }
           }
         }

@@ -10,7 +10,7 @@ template <class Real, template <class> class Body>
 void apply_boundaries(Coupled<Real, Body>& s)
 {
   lbm::fill_ghosts(s.fluid);
-  lbm::bounce_back(s.fluid, s.body.resting, {0, 0});
+  lbm::bounce_back(s.fluid, s.body.resting, {});
   for (std::size_t k = 0; k < s.openings.size(); ++k)
     lbm::apply(s.fluid, s.openings[k], s.targets[k]);
 }

@@ -1,10 +1,12 @@
 #pragma once
-#include "lbm/moments.hpp"
+#include "lbm/central_shift.hpp"
+#include "lbm/site.hpp"
 
 namespace velum::lbm {
 
-/// Central moments: shear moments relax at the shear rate, the trace at rate 1, and all third and
-/// fourth central moments are set to their equilibrium.
+/// Central moments: shear moments relax at the shear rate, the trace at rate 1, and all higher
+/// central moments about the velocity after collision are set to their equilibrium: zero but for
+/// kxxyy = rho/9 and kxxyyzz = rho/27; raw moments follow by the binomial shift.
 /// Geier, Greiner & Korvink, Phys. Rev. E 73 (2006) 066705, doi:10.1103/PhysRevE.73.066705.
 /// The separate rate of the trace is what keeps tau -> 1/2 stable: it damps the acoustic waves that
 /// start-up and corners of the wall send out.
@@ -15,21 +17,25 @@ struct CentralMoment {
   KOKKOS_FORCEINLINE_FUNCTION Real shear_rate() const { return omega; }
   KOKKOS_FORCEINLINE_FUNCTION Real bulk_rate(Real) const { return 1; }
 
-  /// Central moments about the velocity after collision, u' = j/rho: kxxy = kxyy = 0,
-  /// kxxyy = rho/9; raw moments follow by the binomial shift.
-  KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<Real> const&, Moments<Real>& out, Real, Real,
-                                          Real, Real, Real, Real, Real) const
+  /// Central moments with an odd power vanish, except the shear moments.
+  KOKKOS_FUNCTION static constexpr bool vanishes(Powers const& e)
   {
-    Real const third = Real(1) / 3, n = 1 + out.rho;
-    Real const x = out.jx / n, y = out.jy / n;
-    Real const xx = x * x, yy = y * y, xy = x * y;
-    Real const kxx = (out.T + out.N) / 2 - n * xx;  // less 1/3
-    Real const kyy = (out.T - out.N) / 2 - n * yy;  // less 1/3
-    Real const kxy = out.Pxy - n * xy;
-    out.xxy = 2 * x * kxy + y * (third + kxx) + n * xx * y;
-    out.xyy = 2 * y * kxy + x * (third + kyy) + n * x * yy;
-    out.xxyy = third * third * out.rho + xx * (third + kyy) + yy * (third + kxx) + 4 * xy * kxy +
-               n * xx * yy;
+    bool const odd = e[0] % 2 == 1 || e[1] % 2 == 1 || e[2] % 2 == 1;
+    return odd && e.order() != 2;
+  }
+
+  template <Lattice L>
+  KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<L, Real> const&, Moments<L, Real>& out,
+                                          Site<Real, L::D> const&) const
+  {
+    auto const u = velocity(out);
+    Moments<L, Real> k = central_second_moments(out, u);
+    core::static_for<L::Q - second_order_end<L>>([&](auto h) __attribute__((always_inline)) {
+      constexpr int e = second_order_end<L> + h;
+      constexpr double rest = rest_moment<L>(L::powers(second_order_end<L> + h));
+      k.m[e] = rest > 0 ? Real(rest) * out.rho() : Real(0);
+      out.m[e] = shifted<L, e, CentralMoment>(k, u);
+    });
   }
 };
 

@@ -1,12 +1,22 @@
 #pragma once
+#include "lbm/site.hpp"
 #include "lbm/smagorinsky.hpp"
 
 namespace velum::lbm {
 
-/// Collision of one site with sources of mass and momentum, planar or axisymmetric.
+/// What acts on a site beside its populations.
+template <class Real, int D>
+struct Surroundings {
+  core::Vec<Real, D> force = {};  // per volume
+  Real inv_y = 0;                 // 1 / radius in cells; ignored when planar
+  Real smagorinsky_squared = 0;   // C^2, zero for none
+};
+
+/// Collision of one site with sources of mass and momentum, planar, in space or axisymmetric.
 ///
 /// Every moment m with rate k relaxes as  m += k (meq - m) + (1 - k/2) s  towards the equilibrium
-/// of the mid-step density and velocity, rho = rho_in + Q/2, rho u = j_in + S/2.
+/// of the mid-step density and velocity, rho = rho_in + Q/2, rho u = j_in + S/2: second moments
+/// here, the trace at the rule's bulk rate and the rest at its shear rate, higher ones by the rule.
 ///
 /// Axisymmetric (y is the radius): the population that leaves along c carries the weight of the
 /// mid-point of its link, y + c_y/2, and arrives with that same weight. Mass and axial momentum so
@@ -22,72 +32,89 @@ namespace velum::lbm {
 /// 2 mu u_y / y. Splitting of geometric sources after Hajabdollahi &
 /// Premnath (arXiv:1806.10241); the link weights, which make it conservative, are velum's own.
 ///
+/// @tparam Eddy  whether Smagorinsky's model may act; without it the constant is not looked at
 /// @param f      populations less w before, and after, collision
-/// @param inv_y  1 / radius in cells; ignored when planar
-/// @param Fx,Fy  force per volume
-/// @param smagorinsky_squared  C^2, zero for none
-template <bool Axisymmetric, class Real, class Collision>
-KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[9], Collision const& collision, Real inv_y,
-                                         Real Fx, Real Fy, Real smagorinsky_squared)
+template <Lattice L, bool Axisymmetric, bool Eddy, class Real, class Rule>
+KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
+                                         Surroundings<Real, L::D> const& around)
 {
-  Moments<Real> const in = moments(f);
-  Moments<Real> out = in;
-  Real const third = Real(1) / 3;
+  constexpr int D = L::D;
+  Moments<L, Real> const in = moments<L>(f);
+  Moments<L, Real> out;
+  Real const third = Real(1) / 3, inv_y = around.inv_y;
+  auto const& F = around.force;
 
-  Real n = 1 + in.rho, rho = in.rho, Q = 0, Sx = Fx, Sy = Fy;
-  Real ux = (in.jx + Fx / 2) / n, uy = (in.jy + Fy / 2) / n;
-
-  Real shear = collision.shear_rate();
-  if (smagorinsky_squared > 0) {
-    Real const N_neq = in.N - n * (ux * ux - uy * uy);
-    shear = smagorinsky_rate(shear, N_neq, in.Pxy - n * ux * uy, rho, smagorinsky_squared);
+  Site<Real, D> s{in.rho(), {}, F, 0, rule.shear_rate()};
+  Real n = 1 + s.rho;
+  {
+    Real const v = 1 / n;
+    core::static_for<D>([&](auto a)
+                            __attribute__((always_inline)) { s.u[a] = v * (in.j(a) + F[a] / 2); });
   }
-  Real const bulk = collision.bulk_rate(shear);
-  Real T = 0, N = 0, Pxy = 0;  // means of the values before and after collision
+  if constexpr (Eddy)
+    s.shear = smagorinsky_rate(s.shear, deviator_magnitude(in, n, s.u), s.rho,
+                               around.smagorinsky_squared);
+  Real const bulk = rule.bulk_rate(s.shear);
   Real const off_axis = Axisymmetric ? 1 / (1 + 4 * inv_y * inv_y) : Real(1);
 
-  auto const second_moments = [&](Real T_viscous) {
-    Real const xx = ux * ux, yy = uy * uy;
-    Real const T_eq = 2 * third * rho + n * (xx + yy) + T_viscous;
-    Real const s_T = 2 * (1 + off_axis) * third * Q + 2 * (ux * Sx + uy * Sy) - (xx + yy) * Q;
-    Real const s_N = 2 * (ux * Sx - uy * Sy) - (xx - yy) * Q;
-    Real const s_xy = ux * Sy + uy * Sx - ux * uy * Q;
-    T = bulk / 2 * T_eq + (1 - bulk / 2) * (in.T + s_T / 2);
-    N = shear / 2 * n * (xx - yy) + (1 - shear / 2) * (in.N + s_N / 2);
-    Pxy = shear / 2 * n * ux * uy + (1 - shear / 2) * (in.Pxy + s_xy / 2);
+  Real mean[L::Q] = {};  // second moments, means of the values before and after collision
+  auto const second_moments = [&](Real T_viscous) __attribute__((always_inline))
+  {
+    Real in_trace = 0, trace = 0, u2 = 0, uS = 0;
+    core::static_for<D>([&](auto a) __attribute__((always_inline)) {
+      core::static_for<a + 1>([&](auto b) __attribute__((always_inline)) {
+        constexpr int ab = second_moment<L>(a, b);
+        Real const uu = s.u[a] * s.u[b];
+        Real const source = s.u[a] * s.S[b] + s.u[b] * s.S[a] - uu * s.Q;
+        mean[ab] = s.shear / 2 * n * uu + (1 - s.shear / 2) * (in.m[ab] + source / 2);
+        if constexpr (a == b) {
+          in_trace += in.m[ab];
+          trace += mean[ab];
+          u2 += uu;
+          uS += s.u[a] * s.S[a];
+        }
+      });
+    });
+    Real const T_eq = D * third * s.rho + n * u2 + T_viscous;
+    Real const s_T = 2 * (1 + off_axis) * third * s.Q + 2 * uS - u2 * s.Q;
+    Real const T = bulk / 2 * T_eq + (1 - bulk / 2) * (in_trace + s_T / 2);
+    Real const share = (T - trace) / D;
+    core::static_for<D>([&](auto a) __attribute__((always_inline)) {
+      constexpr int aa = second_moment<L>(a, a);
+      mean[aa] += share;
+    });
   };
 
   if constexpr (Axisymmetric) {
     // S_y depends on u_y through the terms linear in u_y / y, which are solved for exactly (they
     // are not small in the row at the axis), and through products of velocities, which are
     // iterated.
-    Real const mu = third * (1 / shear - Real(0.5)) * n;
+    constexpr int yy = second_moment<L>(1, 1), xy = second_moment<L>(0, 1);
+    Real const mu = third * (1 / s.shear - Real(0.5)) * n;
     Real const linear = inv_y * inv_y * ((1 - bulk / 2) * off_axis / 6 * n - (2 + bulk / 2) * mu);
-#pragma GCC unroll 3  // a loop in here keeps the loop over the row from being vectorised
-    for (int pass = 0; pass < 3; ++pass) {
-      Real const u_theta = uy * inv_y;
-      Q = -n * u_theta;
-      rho = in.rho + Q / 2;
-      n = 1 + rho;
+    core::static_for<3>([&](auto) __attribute__((always_inline)) {
+      Real const u_theta = s.u[1] * inv_y;
+      s.Q = -n * u_theta;
+      s.rho = in.rho() + s.Q / 2;
+      n = 1 + s.rho;
       second_moments(2 * mu * u_theta);
-      Real const p_theta = third * rho - 2 * mu * u_theta;
-      Sx = Fx - Pxy * inv_y;
-      Sy = Fy - ((T - N) / 2 - p_theta) * inv_y;
-      ux = (in.jx + Sx / 2) / n;
-      uy = (in.jy + Sy / 2 - linear * uy / 2) / (n - linear / 2);
-    }
-    Q = -(in.jy + Sy / 2) * inv_y;
+      Real const p_theta = third * s.rho - 2 * mu * u_theta;
+      s.S[0] = F[0] - mean[xy] * inv_y;
+      s.S[1] = F[1] - (mean[yy] - p_theta) * inv_y;
+      s.u[0] = (in.j(0) + s.S[0] / 2) / n;
+      s.u[1] = (in.j(1) + s.S[1] / 2 - linear * s.u[1] / 2) / (n - linear / 2);
+    });
+    s.Q = -(in.j(1) + s.S[1] / 2) * inv_y;
   } else {
     second_moments(0);
   }
 
-  out.rho = in.rho + Q;
-  out.jx = in.jx + Sx;
-  out.jy = in.jy + Sy;
-  out.T = 2 * T - in.T;
-  out.N = 2 * N - in.N;
-  out.Pxy = 2 * Pxy - in.Pxy;
-  collision.higher(in, out, rho, ux, uy, Sx, Sy, Q, shear);
+  out.rho() = in.rho() + s.Q;
+  core::static_for<D>([&](auto a) __attribute__((always_inline)) { out.j(a) = in.j(a) + s.S[a]; });
+  core::static_for<second_order_end<L> - 1 - D>([&](auto k) __attribute__((always_inline)) {
+    out.m[1 + D + k] = 2 * mean[1 + D + k] - in.m[1 + D + k];
+  });
+  rule.template higher<L>(in, out, s);
   populations(out, f);
 }
 

@@ -1,87 +1,194 @@
 #include "lbm/fluid.hpp"
 
+#include "core/check.hpp"
+#include "lbm/lattice/d3q19.hpp"
+#include "lbm/lattice/d3q27.hpp"
 #include "lbm/moments.hpp"
 
 namespace velum::lbm {
 
 namespace {
 
-constexpr int padded(int n)
+/// Cells from one row to the next: room for the ghosts and a vector beyond the row, in whole cache
+/// lines of doubles, and never a power of two: the streams of all directions would then evict each
+/// other.
+constexpr int pitch_for(int nx)
 {
-  // Rows a multiple of a cache line apart, but never a power of two: nine streams of equal low
-  // address bits would evict each other.
-  int const p = (n + 2 + 15) / 16 * 16;
-  return p % 128 == 0 ? p + 16 : p;
+  int const p = (nx + 2 + vector_cells + 7) / 8 * 8;
+  return p % 64 == 0 ? p + 8 : p;
 }
 
 }  // namespace
 
-template <class Real>
-Fluid<Real> make_fluid(int nx, int ny, core::Vec2 origin, core::Symmetry symmetry,
-                       Model const& model)
+template <class Real, class L, class Stored>
+Fluid<Real, L, Stored> make_fluid(int nx, int ny, core::Vec<double, L::D> origin,
+                                  core::Symmetry symmetry, Model const& model, int nz)
 {
-  Fluid<Real> fluid;
+  Fluid<Real, L, Stored> fluid;
   fluid.nx = nx;
   fluid.ny = ny;
+  fluid.nz = L::D == 3 ? nz : 1;
   fluid.origin = origin;
   fluid.symmetry = symmetry;
   fluid.model = model;
-  int const pitch = padded(nx);
-  fluid.f = Populations<Real>("f", 9, ny + 2, pitch);
-  fluid.f_next = Populations<Real>("f_next", 9, ny + 2, pitch);
-  fluid.active = CellMask("active", ny + 2, pitch);
-  auto const active_host = Kokkos::create_mirror_view(fluid.active);
-  for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) active_host(j + 1, i + 1) = 1;
-  Kokkos::deep_copy(fluid.active, active_host);
+  auto& f = fluid.f;
+  f.pitch = pitch_for(nx);
+  f.plane = f.pitch * (ny + 2);
+  f.range = float(model.storage_range);
+  // the last row may be updated a vector beyond its end, and its neighbours with it
+  std::size_t const cells =
+      std::size_t(f.plane) * (L::D == 3 ? fluid.nz + 2 : 1) + std::size_t(f.pitch) + vector_cells;
+  f.slots = Kokkos::View<Stored**, Kokkos::LayoutRight>(
+      Kokkos::view_alloc(std::string("populations"), Kokkos::WithoutInitializing), L::Q, cells);
+  // touched first by the threads that will update them
+  auto const slots = f.slots;
+  Kokkos::parallel_for(
+      "velum::lbm::first_touch", cells, KOKKOS_LAMBDA(std::size_t c) {
+        for (int i = 0; i < L::Q; ++i) slots(i, c) = Stored(0);
+      });
+  fluid.active = CellMask("active", cells);
+  if (model.smagorinsky > 0) use_eddy_share(fluid);
+  mark(fluid, std::vector<std::uint8_t>(static_cast<std::size_t>(fluid.cells()), 1));
   return fluid;
 }
 
-template <class Real>
-void use_force_field(Fluid<Real>& fluid)
+template <class Real, class L, class Stored>
+void mark(Fluid<Real, L, Stored>& fluid, std::vector<std::uint8_t> const& mask)
 {
-  fluid.force = Populations<Real>("force", 2, fluid.f.extent(1), fluid.f.extent(2));
+  auto const host = Kokkos::create_mirror_view(fluid.active);
+  std::size_t at = 0;
+  for (int k = 0; k < fluid.nz; ++k)
+    for (int j = 0; j < fluid.ny; ++j)
+      for (int i = 0; i < fluid.nx; ++i)
+        host(static_cast<std::size_t>(fluid.cell(i, j, k))) = mask[at++];
+  Kokkos::deep_copy(fluid.active, host);
+  fluid.spans = make_spans(mask, fluid.nx, fluid.ny, fluid.nz, fluid.cell(0, 0, 0), fluid.f.pitch,
+                           fluid.f.plane);
 }
 
-template <class Real>
-void set_equilibrium(Fluid<Real>& fluid, Kokkos::View<CellState**, Kokkos::HostSpace> const& state)
+template <class Real, class L, class Stored>
+void use_eddy_share(Fluid<Real, L, Stored>& fluid)
 {
-  auto const f_host = Kokkos::create_mirror_view(fluid.f);
-  Kokkos::deep_copy(f_host, fluid.f);
-  for (int j = 0; j < fluid.ny; ++j)
-    for (int i = 0; i < fluid.nx; ++i)
-      for (int k = 0; k < 9; ++k) {
-        CellState const& s = state(j, i);
-        f_host(k, j + 1, i + 1) = equilibrium<Real>(k, Real(s.rho), Real(s.ux), Real(s.uy));
-      }
-  Kokkos::deep_copy(fluid.f, f_host);
+  fluid.eddy_share = Kokkos::View<float*>("eddy_share", fluid.f.slots.extent(1));
+  Kokkos::deep_copy(fluid.eddy_share, 1.0f);
 }
 
-template <class Real>
-Kokkos::View<CellState**, Kokkos::HostSpace> cell_states(Fluid<Real> const& fluid)
+template <class Real, class L, class Stored>
+void use_force_field(Fluid<Real, L, Stored>& fluid)
 {
-  auto const f_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fluid.f);
-  auto const active_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fluid.active);
-  auto const force = fluid.model.body_force;
-  Kokkos::View<CellState**, Kokkos::HostSpace> state("cell_states", fluid.ny, fluid.nx);
-  for (int j = 0; j < fluid.ny; ++j)
-    for (int i = 0; i < fluid.nx; ++i) {
-      if (!active_host(j + 1, i + 1)) continue;
-      double f[9], rho, jx, jy;
-      for (int k = 0; k < 9; ++k) f[k] = f_host(k, j + 1, i + 1);
-      density_and_momentum(f, rho, jx, jy);
-      state(j, i) = {rho, (jx - force[0] / 2) / (1 + rho), (jy - force[1] / 2) / (1 + rho)};
-    }
-  return state;
+  fluid.force = Kokkos::View<Real**, Kokkos::LayoutRight>("force", L::D, fluid.f.slots.extent(1));
+  if (fluid.eddy_share.extent(0) == 0) use_eddy_share(fluid);  // the kernel with a force reads it
 }
 
-template Fluid<float> make_fluid(int, int, core::Vec2, core::Symmetry, Model const&);
-template Fluid<double> make_fluid(int, int, core::Vec2, core::Symmetry, Model const&);
-template void use_force_field(Fluid<float>&);
-template void use_force_field(Fluid<double>&);
-template void set_equilibrium(Fluid<float>&, Kokkos::View<CellState**, Kokkos::HostSpace> const&);
-template void set_equilibrium(Fluid<double>&, Kokkos::View<CellState**, Kokkos::HostSpace> const&);
-template Kokkos::View<CellState**, Kokkos::HostSpace> cell_states(Fluid<float> const&);
-template Kokkos::View<CellState**, Kokkos::HostSpace> cell_states(Fluid<double> const&);
+template <class Real, class L, class Stored>
+void set_equilibrium(Fluid<Real, L, Stored>& fluid, CellStates const& state)
+{
+  auto const device = Kokkos::create_mirror_view_and_copy(
+      typename Kokkos::DefaultExecutionSpace::memory_space(), state);
+  Fluid<Real, L, Stored> const to = fluid;
+  int const nx = fluid.nx, ny = fluid.ny;
+  Kokkos::parallel_for(
+      "velum::lbm::set_equilibrium", Kokkos::RangePolicy<>(0, fluid.cells()),
+      KOKKOS_LAMBDA(long c) {
+        int const i = int(c % nx), row = int(c / nx);
+        CellState const s = device(row, i);
+        core::Vec<Real, L::D> u;
+        u[0] = Real(s.ux);
+        u[1] = Real(s.uy);
+        if constexpr (L::D == 3) u[2] = Real(s.uz);
+        int const cell = to.cell(i, row % ny, row / ny);
+        for (int d = 0; d < L::Q; ++d)
+          to.f.set_outgoing(d, cell, equilibrium<L>(d, Real(s.rho), u));
+      });
+}
+
+template <class Real, class L, class Stored>
+CellStates cell_states(Fluid<Real, L, Stored> const& fluid)
+{
+  int const nx = fluid.nx, ny = fluid.ny;
+  Kokkos::View<CellState**, Kokkos::LayoutRight> state("cell_states", ny * fluid.nz, nx);
+  auto const half = 0.5 * fluid.model.body_force;
+  Fluid<Real, L, Stored> const from = fluid;
+  Kokkos::parallel_for(
+      "velum::lbm::cell_states", Kokkos::RangePolicy<>(0, fluid.cells()), KOKKOS_LAMBDA(long c) {
+        int const i = int(c % nx), row = int(c / nx);
+        int const cell = from.cell(i, row % ny, row / ny);
+        if (!from.active(cell)) return;
+        double site[L::Q], rho;
+        core::Vec<double, L::D> j;
+        for (int d = 0; d < L::Q; ++d) site[d] = double(from.f.outgoing(d, cell));
+        density_and_momentum<L>(site, rho, j);
+        double const v = 1 / (1 + rho);
+        state(row, i) = {rho, v * (j[0] - half[0]), v * (j[1] - half[1]),
+                         L::D == 3 ? v * (j[L::D - 1] - half[2]) : 0.0};
+      });
+  CellStates host("cell_states", ny * fluid.nz, nx);
+  Kokkos::deep_copy(host, Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), state));
+  return host;
+}
+
+template Fluid<double, D2Q9, double> make_fluid(int, int, core::Vec<double, D2Q9::D>,
+                                                core::Symmetry, Model const&, int);
+template Fluid<float, D2Q9, float> make_fluid(int, int, core::Vec<double, D2Q9::D>, core::Symmetry,
+                                              Model const&, int);
+template Fluid<float, D2Q9, std::int16_t> make_fluid(int, int, core::Vec<double, D2Q9::D>,
+                                                     core::Symmetry, Model const&, int);
+template Fluid<double, D3Q19, double> make_fluid(int, int, core::Vec<double, D3Q19::D>,
+                                                 core::Symmetry, Model const&, int);
+template Fluid<float, D3Q19, float> make_fluid(int, int, core::Vec<double, D3Q19::D>,
+                                               core::Symmetry, Model const&, int);
+template Fluid<float, D3Q19, std::int16_t> make_fluid(int, int, core::Vec<double, D3Q19::D>,
+                                                      core::Symmetry, Model const&, int);
+template Fluid<double, D3Q27, double> make_fluid(int, int, core::Vec<double, D3Q27::D>,
+                                                 core::Symmetry, Model const&, int);
+template Fluid<float, D3Q27, float> make_fluid(int, int, core::Vec<double, D3Q27::D>,
+                                               core::Symmetry, Model const&, int);
+template Fluid<float, D3Q27, std::int16_t> make_fluid(int, int, core::Vec<double, D3Q27::D>,
+                                                      core::Symmetry, Model const&, int);
+template void mark(Fluid<double, D2Q9, double>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<float, D2Q9, float>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<float, D2Q9, std::int16_t>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<double, D3Q19, double>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<float, D3Q19, float>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<float, D3Q19, std::int16_t>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<double, D3Q27, double>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<float, D3Q27, float>&, std::vector<std::uint8_t> const&);
+template void mark(Fluid<float, D3Q27, std::int16_t>&, std::vector<std::uint8_t> const&);
+template void use_eddy_share(Fluid<double, D2Q9, double>&);
+template void use_eddy_share(Fluid<float, D2Q9, float>&);
+template void use_eddy_share(Fluid<float, D2Q9, std::int16_t>&);
+template void use_eddy_share(Fluid<double, D3Q19, double>&);
+template void use_eddy_share(Fluid<float, D3Q19, float>&);
+template void use_eddy_share(Fluid<float, D3Q19, std::int16_t>&);
+template void use_eddy_share(Fluid<double, D3Q27, double>&);
+template void use_eddy_share(Fluid<float, D3Q27, float>&);
+template void use_eddy_share(Fluid<float, D3Q27, std::int16_t>&);
+template void use_force_field(Fluid<double, D2Q9, double>&);
+template void use_force_field(Fluid<float, D2Q9, float>&);
+template void use_force_field(Fluid<float, D2Q9, std::int16_t>&);
+template void use_force_field(Fluid<double, D3Q19, double>&);
+template void use_force_field(Fluid<float, D3Q19, float>&);
+template void use_force_field(Fluid<float, D3Q19, std::int16_t>&);
+template void use_force_field(Fluid<double, D3Q27, double>&);
+template void use_force_field(Fluid<float, D3Q27, float>&);
+template void use_force_field(Fluid<float, D3Q27, std::int16_t>&);
+template void set_equilibrium(Fluid<double, D2Q9, double>&, CellStates const&);
+template void set_equilibrium(Fluid<float, D2Q9, float>&, CellStates const&);
+template void set_equilibrium(Fluid<float, D2Q9, std::int16_t>&, CellStates const&);
+template void set_equilibrium(Fluid<double, D3Q19, double>&, CellStates const&);
+template void set_equilibrium(Fluid<float, D3Q19, float>&, CellStates const&);
+template void set_equilibrium(Fluid<float, D3Q19, std::int16_t>&, CellStates const&);
+template void set_equilibrium(Fluid<double, D3Q27, double>&, CellStates const&);
+template void set_equilibrium(Fluid<float, D3Q27, float>&, CellStates const&);
+template void set_equilibrium(Fluid<float, D3Q27, std::int16_t>&, CellStates const&);
+template CellStates cell_states(Fluid<double, D2Q9, double> const&);
+template CellStates cell_states(Fluid<float, D2Q9, float> const&);
+template CellStates cell_states(Fluid<float, D2Q9, std::int16_t> const&);
+template CellStates cell_states(Fluid<double, D3Q19, double> const&);
+template CellStates cell_states(Fluid<float, D3Q19, float> const&);
+template CellStates cell_states(Fluid<float, D3Q19, std::int16_t> const&);
+template CellStates cell_states(Fluid<double, D3Q27, double> const&);
+template CellStates cell_states(Fluid<float, D3Q27, float> const&);
+template CellStates cell_states(Fluid<float, D3Q27, std::int16_t> const&);
 
 }  // namespace velum::lbm

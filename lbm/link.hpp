@@ -2,18 +2,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "lbm/d2q9.hpp"
 #include "lbm/fluid.hpp"
 
 namespace velum::lbm {
 
-/// One lattice link from a fluid cell (i, j) along direction dir to a place that is not fluid.
+/// One lattice link from a fluid cell (i, j, k) along direction dir to a place that is not fluid.
 struct Link {
   std::int32_t i, j;
   std::int16_t dir;
-  std::int16_t second;  // 1 if the cell behind, (i, j) - c, is fluid of the same side
+  std::int16_t second;  // 1 if the cell behind, one step against dir, is fluid of the same side
   float weight;         // of an opening's velocity profile; 1 elsewhere
   double q;             // share of the link up to the wall, 0 < q <= 1
+  std::int32_t k = 0;
 };
 
 /// A list of links on the device; its capacity only grows.
@@ -25,9 +25,19 @@ struct LinkList {
 void upload(LinkList& list, std::vector<Link> const& links);
 
 /// Ring length of the mid-point of a link, the weight of what travels along it (lbm/collide.hpp).
+template <class L = D2Q9>
 KOKKOS_FORCEINLINE_FUNCTION double link_ring(core::Symmetry symmetry, double y_cell, int dir)
 {
-  return core::ring(symmetry, y_cell + 0.5 * D2Q9::cy(dir));
+  return core::ring(symmetry, y_cell + 0.5 * L::c(dir, 1));
+}
+
+/// c.a of a direction with a vector in space; of a plane lattice the first two components count.
+template <class L, class Vector>
+KOKKOS_FORCEINLINE_FUNCTION double along(int dir, Vector const& a)
+{
+  double sum = 0;
+  for (int d = 0; d < L::D; ++d) sum += L::c(dir, d) * double(a[d]);
+  return sum;
 }
 
 /// Population that a resting wall at distance q sends back, interpolated between the outgoing one
@@ -47,9 +57,25 @@ KOKKOS_FORCEINLINE_FUNCTION Real reflect(Real out, Real behind, Real back, doubl
 }
 
 /// Coefficient kappa of the wall velocity: the wall adds -kappa c.u_w to what reflect() returns.
+template <class L = D2Q9>
 KOKKOS_FORCEINLINE_FUNCTION double wall_coefficient(int dir, double rho, double q)
 {
-  return 6 * D2Q9::w(dir) * rho * (q >= 0.5 ? 0.5 / q : 1.0);
+  return 6 * L::w(dir) * rho * (q >= 0.5 ? 0.5 / q : 1.0);
+}
+
+/// What a link hears from a resting wall: the population that left along it, and what comes back.
+template <class Real>
+struct Echo {
+  Real out, back;
+};
+template <class Real, class L, class Stored>
+KOKKOS_FORCEINLINE_FUNCTION Echo<Real> echo(Populations<Real, L, Stored> const& f, int cell,
+                                            Link const& l)
+{
+  Real const out = f.outgoing(l.dir, cell);
+  Real const behind = l.second ? f.outgoing(l.dir, cell - f.shift(l.dir)) : out;
+  Real const back = f.outgoing(L::opposite(l.dir), cell);
+  return {out, reflect(out, behind, back, l.q, l.second != 0)};
 }
 
 }  // namespace velum::lbm

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
-#include "lbm/moments.hpp"
+#include "lbm/lattice/d3q19.hpp"
+#include "lbm/lattice/d3q27.hpp"
+#include "lbm/smagorinsky.hpp"
 
 namespace velum::lbm {
 
@@ -13,16 +15,28 @@ struct Speed {
   bool finite;
 };
 
-template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION Speed speed(Populations<Real> const& f, int i, int j)
+template <class Real, class L, class Stored>
+KOKKOS_FORCEINLINE_FUNCTION Speed speed(Fluid<Real, L, Stored> const& fluid, int cell)
 {
-  Real site[9], rho, jx, jy;
-  for (int d = 0; d < 9; ++d) site[d] = f(d, j + 1, i + 1);
-  density_and_momentum(site, rho, jx, jy);
-  double const u2 = (double(jx) * jx + double(jy) * jy) / ((1.0 + rho) * (1.0 + rho));
+  Real site[L::Q], rho;
+  core::Vec<Real, L::D> j;
+  for (int d = 0; d < L::Q; ++d) site[d] = fluid.f.outgoing(d, cell);
+  density_and_momentum<L>(site, rho, j);
+  double j2 = 0;
+  for (int a = 0; a < L::D; ++a) j2 += double(j[a]) * double(j[a]);
+  double const u2 = j2 / ((1.0 + rho) * (1.0 + rho));
   // a comparison with NaN is false, so this also catches what is not a number
   bool const finite = u2 < 1e30 && double(rho) > -1 && double(rho) < 1e30;
   return {finite ? u2 : 1e60, double(rho), finite};
+}
+
+/// Cell n of the box, counted along x first.
+template <class Fluid>
+KOKKOS_FORCEINLINE_FUNCTION int cell_of(Fluid const& fluid, long n)
+{
+  int const i = int(n % fluid.nx);
+  long const row = n / fluid.nx;
+  return fluid.cell(i, int(row % fluid.ny), int(row / fluid.ny));
 }
 
 /// Relaxation time that smagorinsky_rate() chose, from the deviator it left behind: collision
@@ -40,33 +54,34 @@ KOKKOS_FORCEINLINE_FUNCTION double smagorinsky_time(double tau0, double magnitud
 
 }  // namespace
 
-template <class Real>
-Observation observe(Fluid<Real> const& fluid)
+template <class Real, class L, class Stored>
+Observation observe(Fluid<Real, L, Stored> const& fluid)
 {
-  int const nx = fluid.nx;
-  auto const f = fluid.f;
-  auto const active = fluid.active;
-  auto const symmetry = fluid.symmetry;
-  double const y0 = fluid.origin[1];
-  long const cells = long(fluid.nx) * fluid.ny;
+  Fluid<Real, L, Stored> const from = fluid;
+  long const cells = fluid.cells();
 
   Observation seen;
   double rho_min = 0, rho_max = 0, mass = 0;
-  long count = 0, not_finite = 0;
+  long count = 0, not_finite = 0, clipped = 0;
   Kokkos::parallel_reduce(
       "velum::lbm::observe", Kokkos::RangePolicy<>(0, cells),
-      KOKKOS_LAMBDA(long c, double& lo, double& hi, double& m, long& n, long& bad) {
-        int const j = int(c / nx), i = int(c % nx);
-        if (!active(j + 1, i + 1)) return;
-        Speed const s = speed(f, i, j);
+      KOKKOS_LAMBDA(long c, double& lo, double& hi, double& m, long& n, long& bad, long& clip) {
+        int const cell = cell_of(from, c);
+        if (!from.active(cell)) return;
+        Speed const s = speed(from, cell);
         n += 1;
         bad += s.finite ? 0 : 1;
+        if constexpr (Populations<Real, L, Stored>::fixed_point)
+          for (int d = 0; d < L::Q; ++d) {
+            int const stored = from.f.slots(d, cell);
+            if (stored >= 32767 || stored <= -32767) clip += 1;
+          }
         if (!s.finite) return;
         if (s.rho < lo) lo = s.rho;
         if (s.rho > hi) hi = s.rho;
-        m += core::ring(symmetry, y0 + j + 0.5) * s.rho;
+        m += core::ring(from.symmetry, from.origin[1] + int(c / from.nx) % from.ny + 0.5) * s.rho;
       },
-      Kokkos::Min<double>(rho_min), Kokkos::Max<double>(rho_max), mass, count, not_finite);
+      Kokkos::Min<double>(rho_min), Kokkos::Max<double>(rho_max), mass, count, not_finite, clipped);
   seen.cells = count;
   if (count == 0) return seen;
 
@@ -75,9 +90,9 @@ Observation observe(Fluid<Real> const& fluid)
   Kokkos::parallel_reduce(
       "velum::lbm::fastest_cell", Kokkos::RangePolicy<>(0, cells),
       KOKKOS_LAMBDA(long c, Worst::value_type& worst) {
-        int const j = int(c / nx), i = int(c % nx);
-        if (!active(j + 1, i + 1)) return;
-        double const u2 = speed(f, i, j).squared;
+        int const cell = cell_of(from, c);
+        if (!from.active(cell)) return;
+        double const u2 = speed(from, cell).squared;
         if (u2 > worst.val) {
           worst.val = u2;
           worst.loc = c;
@@ -85,37 +100,39 @@ Observation observe(Fluid<Real> const& fluid)
       },
       Worst(fastest));
   seen.speed_max = std::sqrt(fastest.val);
-  seen.worst_i = int(fastest.loc % nx);
-  seen.worst_j = int(fastest.loc / nx);
+  seen.worst_i = int(fastest.loc % fluid.nx);
+  seen.worst_j = int(fastest.loc / fluid.nx % fluid.ny);
+  seen.worst_k = int(fastest.loc / fluid.nx / fluid.ny);
   seen.rho_min = rho_min;
   seen.rho_max = rho_max;
   seen.mass = mass;
   seen.not_finite = not_finite;
+  seen.clipped = clipped > 0;
   return seen;
 }
 
-template <class Real>
-EddyViscosity eddy_viscosity(Fluid<Real> const& fluid)
+template <class Real, class L, class Stored>
+EddyViscosity eddy_viscosity(Fluid<Real, L, Stored> const& fluid)
 {
-  int const nx = fluid.nx;
-  auto const f = fluid.f;
-  auto const active = fluid.active;
+  Fluid<Real, L, Stored> const from = fluid;
   double const tau0 = 1 / fluid.model.omega();
   double const c2 = fluid.model.smagorinsky * fluid.model.smagorinsky;
   if (c2 == 0) return {};
   double sum = 0, max = 0;
   long count = 0;
   Kokkos::parallel_reduce(
-      "velum::lbm::eddy_viscosity", Kokkos::RangePolicy<>(0, long(fluid.nx) * fluid.ny),
+      "velum::lbm::eddy_viscosity", Kokkos::RangePolicy<>(0, fluid.cells()),
       KOKKOS_LAMBDA(long c, double& total, double& largest, long& n) {
-        int const j = int(c / nx), i = int(c % nx);
-        if (!active(j + 1, i + 1)) return;
-        double site[9];
-        for (int d = 0; d < 9; ++d) site[d] = double(f(d, j + 1, i + 1));
-        Moments<double> const m = moments(site);
-        double const rho = 1 + m.rho, ux = m.jx / rho, uy = m.jy / rho;
-        double const N = m.N - rho * (ux * ux - uy * uy), P = m.Pxy - rho * ux * uy;
-        double const tau = smagorinsky_time(tau0, std::sqrt(N * N + 4 * P * P) / rho, c2);
+        int const cell = cell_of(from, c);
+        if (!from.active(cell)) return;
+        double site[L::Q];
+        for (int d = 0; d < L::Q; ++d) site[d] = double(from.f.outgoing(d, cell));
+        auto const m = moments<L>(site);
+        double const rho = 1 + m.rho();
+        core::Vec<double, L::D> u;
+        for (int a = 0; a < L::D; ++a) u[a] = m.j(a) / rho;
+        double const tau = smagorinsky_time(tau0, deviator_magnitude(m, rho, u) / rho,
+                                            double(from.eddy_share(cell)) * c2);
         double const nu_t = (tau - tau0) / 3;
         total += nu_t;
         if (nu_t > largest) largest = nu_t;
@@ -125,9 +142,23 @@ EddyViscosity eddy_viscosity(Fluid<Real> const& fluid)
   return {count ? sum / double(count) : 0, max > 0 ? max : 0};
 }
 
-template Observation observe(Fluid<float> const&);
-template Observation observe(Fluid<double> const&);
-template EddyViscosity eddy_viscosity(Fluid<float> const&);
-template EddyViscosity eddy_viscosity(Fluid<double> const&);
+template Observation observe(Fluid<double, D2Q9, double> const&);
+template Observation observe(Fluid<float, D2Q9, float> const&);
+template Observation observe(Fluid<float, D2Q9, std::int16_t> const&);
+template Observation observe(Fluid<double, D3Q19, double> const&);
+template Observation observe(Fluid<float, D3Q19, float> const&);
+template Observation observe(Fluid<float, D3Q19, std::int16_t> const&);
+template Observation observe(Fluid<double, D3Q27, double> const&);
+template Observation observe(Fluid<float, D3Q27, float> const&);
+template Observation observe(Fluid<float, D3Q27, std::int16_t> const&);
+template EddyViscosity eddy_viscosity(Fluid<double, D2Q9, double> const&);
+template EddyViscosity eddy_viscosity(Fluid<float, D2Q9, float> const&);
+template EddyViscosity eddy_viscosity(Fluid<float, D2Q9, std::int16_t> const&);
+template EddyViscosity eddy_viscosity(Fluid<double, D3Q19, double> const&);
+template EddyViscosity eddy_viscosity(Fluid<float, D3Q19, float> const&);
+template EddyViscosity eddy_viscosity(Fluid<float, D3Q19, std::int16_t> const&);
+template EddyViscosity eddy_viscosity(Fluid<double, D3Q27, double> const&);
+template EddyViscosity eddy_viscosity(Fluid<float, D3Q27, float> const&);
+template EddyViscosity eddy_viscosity(Fluid<float, D3Q27, std::int16_t> const&);
 
 }  // namespace velum::lbm

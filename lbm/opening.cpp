@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lbm/lattice/d3q19.hpp"
+#include "lbm/lattice/d3q27.hpp"
 #include "lbm/moments.hpp"
 
 namespace velum::lbm {
@@ -15,25 +17,23 @@ constexpr double slow_steps = 5000;     // memory of the outflow's mean velocity
 
 /// Velocity of the opening imposed by the half-way rule, whatever the distance q: an opening is
 /// where the scene puts it, and mass stays exact.
-template <class Real>
-void impose_velocity(Fluid<Real>& fluid, Opening& opening, double U)
+template <class Real, class L, class Stored>
+void impose_velocity(Fluid<Real, L, Stored>& fluid, Opening& opening, double U)
 {
-  auto const f = fluid.f;
+  Fluid<Real, L, Stored> const to = fluid;
   auto const links = opening.links.links;
-  auto const symmetry = fluid.symmetry;
   auto const n = opening.normal;
-  double const y0 = fluid.origin[1];
   double mass = 0, momentum = 0;
   Kokkos::parallel_reduce(
       "velum::lbm::opening_velocity", opening.links.size,
       KOKKOS_LAMBDA(int k, double& m, double& p) {
         Link const l = links(k);
-        int const o = D2Q9::opposite(l.dir), cx = D2Q9::cx(l.dir), cy = D2Q9::cy(l.dir);
-        double const cn = cx * n[0] + cy * n[1];
-        Real const out = f(l.dir, l.j + 1, l.i + 1);
-        Real const back = out - Real(6 * D2Q9::w(l.dir) * l.weight * U * cn);
-        f(o, l.j + 1 + cy, l.i + 1 + cx) = back;
-        double const ring = link_ring(symmetry, y0 + l.j + 0.5, l.dir);
+        int const cell = to.cell(l.i, l.j, l.k);
+        double const cn = along<L>(l.dir, n);
+        Real const out = to.f.outgoing(l.dir, cell);
+        Real const back = out - Real(6 * L::w(l.dir) * l.weight * U * cn);
+        to.f.set_arriving(L::opposite(l.dir), cell, back);
+        double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
         m += ring * double(back - out);
         p -= ring * cn * double(back + out);
       },
@@ -46,37 +46,41 @@ void impose_velocity(Fluid<Real>& fluid, Opening& opening, double U)
 /// Anti-bounce-back at the pressure opening.pressure. Of an outflow it is an equilibrium that is
 /// sent back: the full population would come back undamped, and at low viscosity a vortex that
 /// passes, or mere noise, would grow between the opening and the cells before it.
-template <class Real>
-void impose_pressure(Fluid<Real>& fluid, Opening& opening, bool outflow)
+template <class Real, class L, class Stored>
+void impose_pressure(Fluid<Real, L, Stored>& fluid, Opening& opening, bool outflow)
 {
-  auto const f = fluid.f;
+  Fluid<Real, L, Stored> const to = fluid;
   auto const links = opening.links.links;
-  auto const symmetry = fluid.symmetry;
   auto const n = opening.normal;
-  double const y0 = fluid.origin[1], rho_b = 3 * opening.pressure;
+  double const rho_b = 3 * opening.pressure;
   double mass = 0, momentum = 0;
   Kokkos::parallel_reduce(
       "velum::lbm::opening_pressure", opening.links.size,
       KOKKOS_LAMBDA(int k, double& m, double& p) {
         Link const l = links(k);
-        int const o = D2Q9::opposite(l.dir), cx = D2Q9::cx(l.dir), cy = D2Q9::cy(l.dir);
-        Real site[9], rho, jx, jy;
-        for (int d = 0; d < 9; ++d) site[d] = f(d, l.j + 1, l.i + 1);
-        density_and_momentum(site, rho, jx, jy);
-        double ux = double(jx) / (1 + rho), uy = double(jy) / (1 + rho);
-        double const inflow = ux * n[0] + uy * n[1];
-        if (outflow && inflow > 0) ux = uy = 0;
-        double const cu = cx * ux + cy * uy;
-        double const kinetic = 4.5 * cu * cu - 1.5 * (ux * ux + uy * uy);
+        int const cell = to.cell(l.i, l.j, l.k), o = L::opposite(l.dir);
+        Real site[L::Q], rho;
+        core::Vec<Real, L::D> j;
+        for (int d = 0; d < L::Q; ++d) site[d] = to.f.outgoing(d, cell);
+        density_and_momentum<L>(site, rho, j);
+        core::Vec<double, L::D> u;
+        double inflow = 0, u2 = 0;
+        for (int a = 0; a < L::D; ++a) {
+          u[a] = double(j[a]) / (1 + rho);
+          inflow += u[a] * n[a];
+        }
+        if (outflow && inflow > 0) u = {};
+        for (int a = 0; a < L::D; ++a) u2 += u[a] * u[a];
+        double const cu = along<L>(l.dir, u);
+        double const kinetic = 4.5 * cu * cu - 1.5 * u2;
         Real const out = site[l.dir];
-        Real back = -out + Real(2 * D2Q9::w(l.dir) * (rho_b + (1 + rho_b) * kinetic));
+        Real back = -out + Real(2 * L::w(l.dir) * (rho_b + (1 + rho_b) * kinetic));
         if (outflow)
-          back = equilibrium<Real>(o, inflow > 0 ? Real(rho_b) : Real(2 * rho_b) - rho, Real(ux),
-                                   Real(uy));
-        f(o, l.j + 1 + cy, l.i + 1 + cx) = back;
-        double const ring = link_ring(symmetry, y0 + l.j + 0.5, l.dir);
+          back = Real(equilibrium<L>(o, inflow > 0 ? rho_b : 2 * rho_b - double(rho), u));
+        to.f.set_arriving(o, cell, back);
+        double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
         m += ring * double(back - out);
-        p -= ring * (cx * n[0] + cy * n[1]) * double(back + out);
+        p -= ring * along<L>(l.dir, n) * double(back + out);
       },
       mass, momentum);
   opening.mass_flow = mass;
@@ -86,19 +90,19 @@ void impose_pressure(Fluid<Real>& fluid, Opening& opening, bool outflow)
 
 }  // namespace
 
-template <class Real>
-double opening_area(Fluid<Real> const& fluid, std::vector<Link> const& links, core::Vec2 normal)
+template <class Real, class L, class Stored>
+double opening_area(Fluid<Real, L, Stored> const& fluid, std::vector<Link> const& links,
+                    core::Vec3 normal)
 {
   double area = 0;
   for (Link const& l : links)
-    area += 6 * D2Q9::w(l.dir) *
-            std::abs(D2Q9::cx(l.dir) * normal[0] + D2Q9::cy(l.dir) * normal[1]) *
-            link_ring(fluid.symmetry, fluid.origin[1] + l.j + 0.5, l.dir);
+    area += 6 * L::w(l.dir) * std::abs(along<L>(l.dir, normal)) *
+            link_ring<L>(fluid.symmetry, fluid.origin[1] + l.j + 0.5, l.dir);
   return area;
 }
 
-template <class Real>
-void apply(Fluid<Real>& fluid, Opening& opening, double target)
+template <class Real, class L, class Stored>
+void apply(Fluid<Real, L, Stored>& fluid, Opening& opening, double target)
 {
   switch (opening.kind) {
     case OpeningKind::velocity:
@@ -128,9 +132,32 @@ void apply(Fluid<Real>& fluid, Opening& opening, double target)
   }
 }
 
-template double opening_area(Fluid<float> const&, std::vector<Link> const&, core::Vec2);
-template double opening_area(Fluid<double> const&, std::vector<Link> const&, core::Vec2);
-template void apply(Fluid<float>&, Opening&, double);
-template void apply(Fluid<double>&, Opening&, double);
+template double opening_area(Fluid<double, D2Q9, double> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<float, D2Q9, float> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<float, D2Q9, std::int16_t> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<double, D3Q19, double> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<float, D3Q19, float> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<float, D3Q19, std::int16_t> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<double, D3Q27, double> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<float, D3Q27, float> const&, std::vector<Link> const&,
+                             core::Vec3);
+template double opening_area(Fluid<float, D3Q27, std::int16_t> const&, std::vector<Link> const&,
+                             core::Vec3);
+template void apply(Fluid<double, D2Q9, double>&, Opening&, double);
+template void apply(Fluid<float, D2Q9, float>&, Opening&, double);
+template void apply(Fluid<float, D2Q9, std::int16_t>&, Opening&, double);
+template void apply(Fluid<double, D3Q19, double>&, Opening&, double);
+template void apply(Fluid<float, D3Q19, float>&, Opening&, double);
+template void apply(Fluid<float, D3Q19, std::int16_t>&, Opening&, double);
+template void apply(Fluid<double, D3Q27, double>&, Opening&, double);
+template void apply(Fluid<float, D3Q27, float>&, Opening&, double);
+template void apply(Fluid<float, D3Q27, std::int16_t>&, Opening&, double);
 
 }  // namespace velum::lbm

@@ -15,8 +15,8 @@ enum class OpeningKind { velocity, flow_rate, traction, pressure, outflow };
 struct Opening {
   OpeningKind kind = OpeningKind::velocity;
   LinkList links;
-  core::Vec2 normal = {1, 0};  // into the fluid
-  double area = 0;             // sum of 6 w |c.n| ring: pressure times area is the force at rest
+  core::Vec3 normal = {1, 0, 0};  // into the fluid
+  double area = 0;                // sum of 6 w |c.n| ring: pressure times area is the force at rest
 
   double velocity = 0;       // of the inflow, as imposed in the last step
   double integral = 0;       // memory of the traction control
@@ -29,8 +29,9 @@ struct Opening {
 };
 
 /// Finds the area of an opening whose links and normal are set.
-template <class Real>
-double opening_area(Fluid<Real> const& fluid, std::vector<Link> const& links, core::Vec2 normal);
+template <class Real, class L, class Stored>
+double opening_area(Fluid<Real, L, Stored> const& fluid, std::vector<Link> const& links,
+                    core::Vec3 normal);
 
 /// Imposes the target (velocity, volume per step, traction or pressure less that of the rest state;
 /// lattice units) and measures mass flow and traction. The traction is the momentum that crosses
@@ -45,7 +46,7 @@ double opening_area(Fluid<Real> const& fluid, std::vector<Link> const& links, co
 /// rho_b - rho, u), the same rule for the cell's equilibrium; where it comes back in feq_o(rho_b,
 /// 0): what enters brings no momentum, or eddies would draw on the reservoir outside without end
 /// (the energy condition u.n >= 0 of a traction-free boundary).
-template <class Real>
-void apply(Fluid<Real>& fluid, Opening& opening, double target);
+template <class Real, class L, class Stored>
+void apply(Fluid<Real, L, Stored>& fluid, Opening& opening, double target);
 
 }  // namespace velum::lbm

@@ -1,5 +1,5 @@
 #pragma once
-#include "lbm/bgk.hpp"
+#include "lbm/second_order.hpp"
 
 namespace velum::lbm {
 
@@ -15,12 +15,13 @@ struct Trt {
 
   KOKKOS_FORCEINLINE_FUNCTION Real shear_rate() const { return omega; }
   KOKKOS_FORCEINLINE_FUNCTION Real bulk_rate(Real shear) const { return shear; }
-  KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<Real> const& in, Moments<Real>& out, Real rho,
-                                          Real ux, Real uy, Real Sx, Real Sy, Real Q,
-                                          Real shear) const
+
+  template <Lattice L>
+  KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<L, Real> const& in, Moments<L, Real>& out,
+                                          Site<Real, L::D> const& site) const
   {
-    Real const odd = 1 / (magic / (1 / shear - Real(0.5)) + Real(0.5));
-    Bgk<Real>::higher_moments_of_second_order(in, out, rho, ux, uy, Sx, Sy, Q, odd, shear);
+    Real const odd = 1 / (magic / (1 / site.shear - Real(0.5)) + Real(0.5));
+    relax_higher(in, out, site, odd, site.shear);
   }
 };
 

@@ -1,96 +1,165 @@
 #include "lbm/walls.hpp"
 
+#include "lbm/lattice/d3q19.hpp"
+#include "lbm/lattice/d3q27.hpp"
+
 namespace velum::lbm {
 
 namespace {
 
-/// Share of the way from a (fluid) to b (wall) at which the distance changes sign.
-double crossing(core::Obstacle const& solids, core::Vec2 a, core::Vec2 b)
+template <class L>
+using Point = core::Vec<double, L::D>;
+
+template <class L>
+Point<L> direction(int dir)
+{
+  Point<L> c;
+  for (int a = 0; a < L::D; ++a) c[a] = L::c(dir, a);
+  return c;
+}
+
+/// Share of the way from a (fluid) along c (to a wall) at which the distance changes sign.
+template <class L>
+double crossing(WallDistance<L> const& solids, Point<L> const& a, Point<L> const& c)
 {
   double lo = 0, hi = 1;
-  for (int k = 0; k < 50; ++k) {
+  for (int n = 0; n < 50; ++n) {
     double const mid = (lo + hi) / 2;
-    (core::distance(solids, a + mid * (b - a)) > 0 ? lo : hi) = mid;
+    (solids(a + mid * c) > 0 ? lo : hi) = mid;
   }
   return (lo + hi) / 2;
 }
 
-}  // namespace
-
-template <class Real>
-Neighbour neighbour(Fluid<Real> const& fluid, int i, int j, int dir)
+/// One component of neighbour(): the index along an axis, -1 outside.
+template <class Real, class L, class Stored>
+int along_axis(Fluid<Real, L, Stored> const& fluid, int axis, int at, int size)
 {
-  int x = i + D2Q9::cx(dir), y = j + D2Q9::cy(dir);
-  if (fluid.model.periodic_x) x = (x + fluid.nx) % fluid.nx;
-  if (fluid.model.periodic_y) y = (y + fluid.ny) % fluid.ny;
-  if (y == -1 && fluid.has_axis()) y = 0;
-  if (x < 0 || x >= fluid.nx || y < 0 || y >= fluid.ny) return {-1, -1};
-  return {x, y};
+  if (at >= 0 && at < size) return at;
+  if (fluid.model.periodic(axis)) return (at + size) % size;
+  bool const upper = at >= size;
+  if ((fluid.model.mirrors & mirror(axis, upper)) != 0 || (axis == 1 && !upper && fluid.has_axis()))
+    return upper ? size - 1 : 0;
+  return -1;
 }
 
-template <class Real>
-Walls find_walls(Fluid<Real> const& fluid, core::Obstacle const& solids)
+}  // namespace
+
+template <class Real, class L, class Stored>
+Neighbour neighbour(Fluid<Real, L, Stored> const& fluid, int i, int j, int dir, int k)
+{
+  int const x = along_axis(fluid, 0, i + L::c(dir, 0), fluid.nx);
+  int const y = along_axis(fluid, 1, j + L::c(dir, 1), fluid.ny);
+  int const z = L::D == 3 ? along_axis(fluid, 2, k + L::c(dir, L::D - 1), fluid.nz) : 0;
+  if (x < 0 || y < 0 || z < 0) return {-1, -1, -1};
+  return {x, y, z};
+}
+
+template <class Real, class L, class Stored>
+Walls find_walls(Fluid<Real, L, Stored> const& fluid,
+                 std::type_identity_t<WallDistance<L>> const& solids)
 {
   Walls walls;
   walls.nx = fluid.nx;
   walls.ny = fluid.ny;
-  auto const cells = static_cast<std::size_t>(fluid.nx) * static_cast<std::size_t>(fluid.ny);
-  walls.solid.resize(cells);
-  walls.distance.resize(cells);
-  auto const centre = [&](int i, int j) { return fluid.origin + core::Vec2{i + 0.5, j + 0.5}; };
-  for (int j = 0, c = 0; j < fluid.ny; ++j)
-    for (int i = 0; i < fluid.nx; ++i, ++c) {
-      auto const k = static_cast<std::size_t>(c);
-      walls.distance[k] = core::distance(solids, centre(i, j));
-      walls.solid[k] = walls.distance[k] <= 0;
-    }
-  for (int j = 0; j < fluid.ny; ++j)
-    for (int i = 0; i < fluid.nx; ++i) {
-      if (walls.is_solid(i, j)) continue;
-      core::Vec2 const a = centre(i, j);
-      for (int dir = 1; dir < D2Q9::Q; ++dir) {
-        Neighbour const n = neighbour(fluid, i, j, dir);
-        bool const box = n.i < 0;
-        if (!box && !walls.is_solid(n.i, n.j)) continue;
-        core::Vec2 const c = {double(D2Q9::cx(dir)), double(D2Q9::cy(dir))};
-        // A link that leaves the box meets its side half-way, or a solid before that.
-        double q = 0.5;
-        bool side = box;
-        if (!box) q = crossing(solids, a, a + c);
-        if (box && core::distance(solids, a + 0.5 * c) <= 0) {
-          q = 0.5 * crossing(solids, a, a + 0.5 * c);
-          side = false;
-        }
-        walls.hits.push_back({i, j, dir, q > 1e-9 ? q : 1e-9, a + q * c, side});
+  walls.nz = fluid.nz;
+  walls.solid.resize(static_cast<std::size_t>(fluid.cells()));
+  walls.distance.resize(walls.solid.size());
+  auto const centre = [&](int i, int j, int k) {
+    Point<L> p = fluid.origin;
+    int const at[3] = {i, j, k};
+    for (int a = 0; a < L::D; ++a) p[a] += at[a] + 0.5;
+    return p;
+  };
+  auto const each_cell = [&](auto const& visit) {
+    for (int k = 0; k < fluid.nz; ++k)
+      for (int j = 0; j < fluid.ny; ++j)
+        for (int i = 0; i < fluid.nx; ++i) visit(i, j, k);
+  };
+  each_cell([&](int i, int j, int k) {
+    std::size_t const n = walls.index(i, j, k);
+    walls.distance[n] = solids(centre(i, j, k));
+    walls.solid[n] = walls.distance[n] <= 0;
+  });
+  each_cell([&](int i, int j, int k) {
+    if (walls.is_solid(i, j, k)) return;
+    Point<L> const a = centre(i, j, k);
+    for (int dir = 1; dir < L::Q; ++dir) {
+      Neighbour const n = neighbour(fluid, i, j, dir, k);
+      bool const box = n.i < 0;
+      if (!box && !walls.is_solid(n.i, n.j, n.k)) continue;
+      Point<L> const c = direction<L>(dir);
+      // A link that leaves the box meets its side half-way, or a solid before that.
+      double q = 0.5;
+      bool side = box;
+      if (!box) q = crossing<L>(solids, a, c);
+      if (box && solids(a + 0.5 * c) <= 0) {
+        q = 0.5 * crossing<L>(solids, a, 0.5 * c);
+        side = false;
       }
+      Point<L> const at = a + q * c;
+      core::Vec3 place;
+      for (int d = 0; d < L::D; ++d) place[d] = at[d];
+      walls.hits.push_back({i, j, dir, q > 1e-9 ? q : 1e-9, place, side, k});
     }
+  });
   return walls;
 }
 
-template <class Real>
-Link link_at(Fluid<Real> const& fluid, Walls const& walls, WallHit const& hit, double weight)
+template <class Real, class L, class Stored>
+void deactivate_solids(Fluid<Real, L, Stored>& fluid, Walls const& walls)
 {
-  Neighbour const behind = neighbour(fluid, hit.i, hit.j, D2Q9::opposite(hit.dir));
-  bool const second = behind.i >= 0 && !walls.is_solid(behind.i, behind.j);
-  return {hit.i, hit.j, std::int16_t(hit.dir), std::int16_t(second), float(weight), hit.q};
+  std::vector<std::uint8_t> mask(walls.solid.size());
+  for (std::size_t c = 0; c < mask.size(); ++c) mask[c] = walls.solid[c] ? 0 : 1;
+  mark(fluid, mask);
 }
 
-template <class Real>
-void deactivate_solids(Fluid<Real>& fluid, Walls const& walls)
+template <class Real, class L, class Stored>
+Link link_at(Fluid<Real, L, Stored> const& fluid, Walls const& walls, WallHit const& hit,
+             double weight)
 {
-  auto const active_host = Kokkos::create_mirror_view(fluid.active);
-  for (int j = 0; j < fluid.ny; ++j)
-    for (int i = 0; i < fluid.nx; ++i) active_host(j + 1, i + 1) = !walls.is_solid(i, j);
-  Kokkos::deep_copy(fluid.active, active_host);
+  Neighbour const behind = neighbour(fluid, hit.i, hit.j, L::opposite(hit.dir), hit.k);
+  bool const second = behind.i >= 0 && !walls.is_solid(behind.i, behind.j, behind.k);
+  return {hit.i, hit.j, std::int16_t(hit.dir), std::int16_t(second), float(weight), hit.q, hit.k};
 }
 
-template Neighbour neighbour(Fluid<float> const&, int, int, int);
-template Neighbour neighbour(Fluid<double> const&, int, int, int);
-template Walls find_walls(Fluid<float> const&, core::Obstacle const&);
-template Walls find_walls(Fluid<double> const&, core::Obstacle const&);
-template Link link_at(Fluid<float> const&, Walls const&, WallHit const&, double);
-template Link link_at(Fluid<double> const&, Walls const&, WallHit const&, double);
-template void deactivate_solids(Fluid<float>&, Walls const&);
-template void deactivate_solids(Fluid<double>&, Walls const&);
+template Neighbour neighbour(Fluid<double, D2Q9, double> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<float, D2Q9, float> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<float, D2Q9, std::int16_t> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<double, D3Q19, double> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<float, D3Q19, float> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<float, D3Q19, std::int16_t> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<double, D3Q27, double> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<float, D3Q27, float> const&, int, int, int, int);
+template Neighbour neighbour(Fluid<float, D3Q27, std::int16_t> const&, int, int, int, int);
+template Walls find_walls(Fluid<double, D2Q9, double> const&, WallDistance<D2Q9> const&);
+template Walls find_walls(Fluid<float, D2Q9, float> const&, WallDistance<D2Q9> const&);
+template Walls find_walls(Fluid<float, D2Q9, std::int16_t> const&, WallDistance<D2Q9> const&);
+template Walls find_walls(Fluid<double, D3Q19, double> const&, WallDistance<D3Q19> const&);
+template Walls find_walls(Fluid<float, D3Q19, float> const&, WallDistance<D3Q19> const&);
+template Walls find_walls(Fluid<float, D3Q19, std::int16_t> const&, WallDistance<D3Q19> const&);
+template Walls find_walls(Fluid<double, D3Q27, double> const&, WallDistance<D3Q27> const&);
+template Walls find_walls(Fluid<float, D3Q27, float> const&, WallDistance<D3Q27> const&);
+template Walls find_walls(Fluid<float, D3Q27, std::int16_t> const&, WallDistance<D3Q27> const&);
+template void deactivate_solids(Fluid<double, D2Q9, double>&, Walls const&);
+template void deactivate_solids(Fluid<float, D2Q9, float>&, Walls const&);
+template void deactivate_solids(Fluid<float, D2Q9, std::int16_t>&, Walls const&);
+template void deactivate_solids(Fluid<double, D3Q19, double>&, Walls const&);
+template void deactivate_solids(Fluid<float, D3Q19, float>&, Walls const&);
+template void deactivate_solids(Fluid<float, D3Q19, std::int16_t>&, Walls const&);
+template void deactivate_solids(Fluid<double, D3Q27, double>&, Walls const&);
+template void deactivate_solids(Fluid<float, D3Q27, float>&, Walls const&);
+template void deactivate_solids(Fluid<float, D3Q27, std::int16_t>&, Walls const&);
+template Link link_at(Fluid<double, D2Q9, double> const&, Walls const&, WallHit const&, double);
+template Link link_at(Fluid<float, D2Q9, float> const&, Walls const&, WallHit const&, double);
+template Link link_at(Fluid<float, D2Q9, std::int16_t> const&, Walls const&, WallHit const&,
+                      double);
+template Link link_at(Fluid<double, D3Q19, double> const&, Walls const&, WallHit const&, double);
+template Link link_at(Fluid<float, D3Q19, float> const&, Walls const&, WallHit const&, double);
+template Link link_at(Fluid<float, D3Q19, std::int16_t> const&, Walls const&, WallHit const&,
+                      double);
+template Link link_at(Fluid<double, D3Q27, double> const&, Walls const&, WallHit const&, double);
+template Link link_at(Fluid<float, D3Q27, float> const&, Walls const&, WallHit const&, double);
+template Link link_at(Fluid<float, D3Q27, std::int16_t> const&, Walls const&, WallHit const&,
+                      double);
 
 }  // namespace velum::lbm

@@ -32,14 +32,14 @@ void fill_at_rest(CoupledScene<Real, Body>& s, std::vector<PatchOpening> const& 
     auto const kind = openings[k].opening.kind;
     if (kind == lbm::OpeningKind::velocity || kind == lbm::OpeningKind::flow_rate) continue;
     lbm::Link const& l = openings[k].links.front();
-    auto const z = static_cast<int>(s.zone(active(l.j + 1, l.i + 1), l.j));
+    auto const z = static_cast<int>(s.zone(active(fluid.cell(l.i, l.j)), l.j));
     if (!known[z]) pressure[z] = s.state.targets[k];
     known[z] = true;
   }
   Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("rest", fluid.ny, fluid.nx);
   for (int j = 0; j < fluid.ny; ++j)
     for (int i = 0; i < fluid.nx; ++i) {
-      auto const z = static_cast<int>(s.zone(active(j + 1, i + 1), j));
+      auto const z = static_cast<int>(s.zone(active(fluid.cell(i, j)), j));
       state(j, i) = {3 * pressure[z], 0, 0};
     }
   lbm::set_equilibrium(fluid, state);
@@ -119,7 +119,7 @@ double mean_pressure(CoupledScene<Real, Body> const& s, Zone zone)
   for (int j = 0; j < fluid.ny; ++j) {
     double const ring = core::ring(fluid.symmetry, fluid.origin[1] + j + 0.5);
     for (int i = 0; i < fluid.nx; ++i)
-      if (s.zone(active(j + 1, i + 1), j) == zone) {
+      if (s.zone(active(fluid.cell(i, j)), j) == zone) {
         sum += ring * cells(j, i).rho / 3;
         weight += ring;
       }

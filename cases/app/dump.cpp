@@ -16,7 +16,7 @@ std::vector<core::Field> fluid_fields(lbm::Fluid<Real> const& fluid, core::Units
       pressure.push_back(float(core::to_si_pressure(units, c.rho / 3)));
       density.push_back(float(core::to_si_density(units, 1 + c.rho)));
       velocity.push_back({core::to_si_velocity(units, c.ux), core::to_si_velocity(units, c.uy)});
-      side.push_back(active(j + 1, i + 1));
+      side.push_back(active(fluid.cell(i, j)));
     }
   return {{"pressure", "Pa", 1, pressure},
           {"density", "kg/m3", 1, density},

@@ -88,7 +88,7 @@ void march(Scene const& scene, RunOptions const& options)
     }
     if (n == total) break;
     lbm::fill_ghosts(s.fluid);
-    lbm::bounce_back(s.fluid, walls, {0, 0});
+    lbm::bounce_back(s.fluid, walls, {});
     for (auto& o : s.openings)
       lbm::apply(s.fluid, o.opening,
                  lattice_target(scene, s.derived, *find_boundary(scene, o.boundary), time));

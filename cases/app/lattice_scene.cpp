@@ -36,7 +36,9 @@ bool takes(PlacedPatch const& patch, lbm::WallHit const& hit, core::Vec2 upper_c
 {
   double const along = hit.at[patch.side ? 1 - patch.side->axis : 1];
   if (along < patch.from || along > patch.to) return false;
-  if (!patch.side) return !hit.box_side && std::abs(core::distance(patch.solid, hit.at)) < 1e-6;
+  if (!patch.side)
+    return !hit.box_side &&
+           std::abs(core::distance(patch.solid, core::Vec2{hit.at[0], hit.at[1]})) < 1e-6;
   if (!hit.box_side) return false;
   int const axis = patch.side->axis,
             c = axis == 0 ? lbm::D2Q9::cx(hit.dir) : lbm::D2Q9::cy(hit.dir);
@@ -46,14 +48,14 @@ bool takes(PlacedPatch const& patch, lbm::WallHit const& hit, core::Vec2 upper_c
 }
 
 /// Into the fluid: off the side of the box, or the mean direction against the links.
-core::Vec2 normal_of(PlacedPatch const& patch, std::vector<lbm::Link> const& links)
+core::Vec3 normal_of(PlacedPatch const& patch, std::vector<lbm::Link> const& links)
 {
-  core::Vec2 n = {0, 0};
+  core::Vec3 n;
   for (lbm::Link const& l : links)
     n -= lbm::D2Q9::w(l.dir) *
-         core::Vec2{double(lbm::D2Q9::cx(l.dir)), double(lbm::D2Q9::cy(l.dir))};
+         core::Vec3{double(lbm::D2Q9::cx(l.dir)), double(lbm::D2Q9::cy(l.dir))};
   if (patch.side) {
-    n = {0, 0};
+    n = {};
     n[patch.side->axis] = patch.side->upper ? -1 : 1;
   }
   return (1 / norm(n)) * n;

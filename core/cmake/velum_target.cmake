@@ -3,10 +3,11 @@ function(velum_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   set(optimised "$<CONFIG:Release,RelWithDebInfo>")
-  # Square roots and comparisons vectorise only without errno and trap semantics; the rest of
-  # IEEE arithmetic (NaN, infinities, order of operations) stays as written.
+  # Square roots and comparisons vectorise only without errno and trap semantics, and a sum begun
+  # at zero costs nothing only where -0 is 0; the rest of IEEE arithmetic (NaN, infinities, order of
+  # operations) stays as written.
   target_compile_options(${target} PRIVATE
-    "$<${optimised}:-fno-math-errno;-fno-trapping-math>")
+    "$<${optimised}:-fno-math-errno;-fno-trapping-math;-fno-signed-zeros>")
   if(VELUM_NATIVE)
     target_compile_options(${target} PRIVATE -march=native)
   endif()

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "ibm/stencil.hpp"
+#include "lbm/moments.hpp"
 
 namespace velum {
 namespace {
@@ -54,21 +55,33 @@ struct Bench {
   }
 };
 
+/// The populations that arrive at every cell are the equilibrium of its state.
+void set_arriving(Bench& b)
+{
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i)
+      for (int d = 0; d < 9; ++d) {
+        auto const& s = b.state(j, i);
+        b.fluid.f.set_arriving(d, b.fluid.cell(i, j),
+                               lbm::equilibrium<lbm::D2Q9>(d, s.rho, core::Vec2{s.ux, s.uy}));
+      }
+}
+
 Bench make_bench(Symmetry symmetry, bool constant)
 {
   lbm::Model model;
   model.periodic_x = true;
   Bench b{.fluid = lbm::make_fluid<double>(nx, ny, {0, 0}, symmetry, model)};
   lbm::use_force_field(b.fluid);
-  auto const active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), b.fluid.active);
+  std::vector<std::uint8_t> mask;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
       b.state(j, i) = {0, constant ? 0.01 : b.draw(-0.02, 0.02),
                        constant ? 0 : b.draw(-0.02, 0.02)};
-      if (j >= ny - solid_rows) active(j + 1, i + 1) = 0;
+      mask.push_back(j < ny - solid_rows);
     }
-  Kokkos::deep_copy(b.fluid.active, active);
-  lbm::set_equilibrium(b.fluid, b.state);
+  lbm::mark(b.fluid, mask);
+  set_arriving(b);
   auto const X = Kokkos::create_mirror_view(b.X);
   auto const F = Kokkos::create_mirror_view(b.F);
   for (int k = 0; k < markers; ++k) {
@@ -99,11 +112,11 @@ TEST(Delta, SpreadingIsTheAdjointOfInterpolating)
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
         double const ring = core::ring(symmetry, j + 0.5);
-        got += ring * f(0, j + 1, i + 1);
-        power_in_cells +=
-            ring * (b.state(j, i).ux * f(0, j + 1, i + 1) + b.state(j, i).uy * f(1, j + 1, i + 1));
+        got += ring * f(0, b.fluid.cell(i, j));
+        power_in_cells += ring * (b.state(j, i).ux * f(0, b.fluid.cell(i, j)) +
+                                  b.state(j, i).uy * f(1, b.fluid.cell(i, j)));
         if (j >= ny - solid_rows) {
-          EXPECT_EQ(f(0, j + 1, i + 1), 0);
+          EXPECT_EQ(f(0, b.fluid.cell(i, j)), 0);
         }
       }
     EXPECT_NEAR(got, given, 1e-13 * markers);

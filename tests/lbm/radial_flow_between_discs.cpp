@@ -36,7 +36,7 @@ Drop pressure_drop(lbm::Collision collision, double reynolds)
                                {{lbm::OpeningKind::velocity,
                                  {0, 1},
                                  u1,
-                                 [&](core::Vec2 at) { return 6 * at[0] / h * (1 - at[0] / h); }},
+                                 [&](core::Vec3 at) { return 6 * at[0] / h * (1 - at[0] / h); }},
                                 {lbm::OpeningKind::pressure, {0, -1}, 0.0}});
   for (int t = 0; t < 25000; ++t) tests::step(flow);
   auto const state = lbm::cell_states(flow.fluid);

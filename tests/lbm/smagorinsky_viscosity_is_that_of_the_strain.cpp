@@ -41,11 +41,11 @@ Shear shear(lbm::Collision collision, double nu, double constant)
   for (int t = 0; t < 20000; ++t) tests::step(flow);
 
   auto const now = lbm::cell_states(flow.fluid);
-  auto const f = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), flow.fluid.f);
   double flux = 0;  // between rows n/2 - 1 and n/2, downwards
   for (int d = 1; d < 9; ++d) {
     int const cy = lbm::D2Q9::cy(d);
-    if (cy != 0) flux -= lbm::D2Q9::cx(d) * cy * f(d, cy > 0 ? n / 2 : n / 2 + 1, 2);
+    int const cell = flow.fluid.cell(1, cy > 0 ? n / 2 - 1 : n / 2);
+    if (cy != 0) flux -= lbm::D2Q9::cx(d) * cy * flow.fluid.f.outgoing(d, cell);
   }
   return {now(n / 2, 1).ux - now(n / 2 - 1, 1).ux, lbm::eddy_viscosity(flow.fluid), flux};
 }
@@ -68,7 +68,7 @@ TEST(Smagorinsky, LeavesTheMolecularViscosityWithoutStrain)
 {
   for (double nu : {1e-4, 0.1, 1.0}) {
     double const omega = 1 / (3 * nu + 0.5);
-    double const rate = lbm::smagorinsky_rate(omega, 0.0, 0.0, 0.02, 0.01);
+    double const rate = lbm::smagorinsky_rate(omega, 0.0, 0.02, 0.01);
     EXPECT_NEAR((1 / rate - 0.5) / 3 / nu, 1, 1e-12);
   }
 }

@@ -50,7 +50,8 @@ double error(lbm::Collision collision, int n)
 
 TEST(TaylorGreen, IsSecondOrderWithEachCollision)
 {
-  for (auto c : {lbm::Collision::bgk, lbm::Collision::trt, lbm::Collision::central_moments}) {
+  for (auto c : {lbm::Collision::bgk, lbm::Collision::trt, lbm::Collision::recursive_regularised,
+                 lbm::Collision::central_moments}) {
     std::vector<double> const h = {1. / 16, 1. / 32, 1. / 64};
     std::vector<double> const e = {error<double>(c, 16), error<double>(c, 32),
                                    error<double>(c, 64)};

@@ -47,7 +47,8 @@ double measured_viscosity(lbm::Collision collision, double nu)
 
 TEST(Viscosity, IsRightWithEachCollision)
 {
-  for (auto c : {lbm::Collision::bgk, lbm::Collision::trt, lbm::Collision::central_moments})
+  for (auto c : {lbm::Collision::bgk, lbm::Collision::trt, lbm::Collision::recursive_regularised,
+                 lbm::Collision::central_moments})
     for (double nu : {1e-3, 0.03, 1.0 / 6, 0.5}) {
       EXPECT_NEAR(measured_viscosity<double>(c, nu) / nu, 1, 0.01) << int(c) << " nu " << nu;
       EXPECT_NEAR(measured_viscosity<float>(c, nu) / nu, 1, 0.01)

@@ -16,20 +16,20 @@ struct Flow {
   lbm::Fluid<Real> fluid;
   lbm::Walls walls;
   lbm::LinkList resting, moving;
-  core::Vec2 wall_velocity = {0, 0};
+  core::Vec3 wall_velocity = {};
   std::vector<lbm::Opening> openings;
   std::vector<double> targets;
 };
 
 /// Which part of the boundary a hit belongs to: -1 rest, -2 moving wall, k >= 0 opening k.
 using Assign = std::function<int(lbm::WallHit const&)>;
-using Profile = std::function<double(core::Vec2)>;
+using Profile = std::function<double(core::Vec3)>;
 
 struct OpeningSpec {
   lbm::OpeningKind kind;
-  core::Vec2 normal;
+  core::Vec3 normal;
   double target;
-  Profile profile = [](core::Vec2) { return 1.0; };
+  Profile profile = [](core::Vec3) { return 1.0; };
 };
 
 template <class Real>
@@ -69,7 +69,7 @@ template <class Real>
 void step(Flow<Real>& flow)
 {
   lbm::fill_ghosts(flow.fluid);
-  lbm::bounce_back(flow.fluid, flow.resting, {0, 0});
+  lbm::bounce_back(flow.fluid, flow.resting, {});
   lbm::bounce_back(flow.fluid, flow.moving, flow.wall_velocity);
   for (std::size_t k = 0; k < flow.openings.size(); ++k)
     lbm::apply(flow.fluid, flow.openings[k], flow.targets[k]);

@@ -27,7 +27,7 @@ struct PistonSpec {
 
 /// Opens the links of a side of the box at rest pressure; no links, no opening.
 template <class Scene>
-void open_side(Scene& s, std::vector<lbm::Link> const& links, core::Vec2 normal)
+void open_side(Scene& s, std::vector<lbm::Link> const& links, core::Vec3 normal)
 {
   if (links.empty()) return;
   lbm::Opening o;

@@ -1,0 +1,40 @@
+#pragma once
+#include "lbm/lattice/lattice.hpp"
+
+namespace velum::lbm {
+
+/// Nineteen velocities in space: rest, faces and edges of the cube. The cheapest lattice in space;
+/// it lacks the moments xyz and above, so that jets off the axes are a little anisotropic. Qian,
+/// d'Humieres & Lallemand, Europhys. Lett. 17 (1992) 479, doi:10.1209/0295-5075/17/6/001.
+struct D3Q19 {
+  static constexpr int D = 3, Q = 19;
+
+  KOKKOS_FUNCTION static constexpr int c(int i, int a)
+  {
+    constexpr int t[Q][D] = {{0, 0, 0},  {1, 0, 0},   {-1, 0, 0},  {0, 1, 0},   {0, -1, 0},
+                             {0, 0, 1},  {0, 0, -1},  {1, 1, 0},   {-1, -1, 0}, {1, -1, 0},
+                             {-1, 1, 0}, {1, 0, 1},   {-1, 0, -1}, {1, 0, -1},  {-1, 0, 1},
+                             {0, 1, 1},  {0, -1, -1}, {0, 1, -1},  {0, -1, 1}};
+    return t[i][a];
+  }
+  KOKKOS_FUNCTION static constexpr double w(int i)
+  {
+    return i == 0 ? 1.0 / 3 : i < 7 ? 1.0 / 18 : 1.0 / 36;
+  }
+  KOKKOS_FUNCTION static constexpr int opposite(int i)
+  {
+    return i == 0 ? 0 : i % 2 == 1 ? i + 1 : i - 1;
+  }
+  /// Powers of the independent moments.
+  KOKKOS_FUNCTION static constexpr Powers powers(int k)
+  {
+    constexpr int t[Q][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0},
+                             {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1},
+                             {2, 1, 0}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1},
+                             {0, 1, 2}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}};
+    return {{t[k][0], t[k][1], t[k][2]}};
+  }
+};
+static_assert(Lattice<D3Q19> && is_consistent<D3Q19>());
+
+}  // namespace velum::lbm

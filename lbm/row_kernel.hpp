@@ -1,0 +1,204 @@
+#pragma once
+#include "core/check.hpp"
+#include "lbm/bgk.hpp"
+#include "lbm/central_moment.hpp"
+#include "lbm/collide.hpp"
+#include "lbm/cumulant.hpp"
+#include "lbm/fluid.hpp"
+#include "lbm/recursive_regularised.hpp"
+#include "lbm/trt.hpp"
+
+/// The kernel of a step, included by the files that compile it for one lattice and precision each.
+namespace velum::lbm {
+
+namespace detail {
+
+using Space = Kokkos::DefaultExecutionSpace;
+constexpr bool on_host =
+    Kokkos::SpaceAccessibility<Kokkos::HostSpace, Space::memory_space>::accessible;
+
+/// Cells between prefetches, and how far ahead of the work they go: beyond the caches the slots of
+/// all directions are as many streams of memory, more than the processor follows by itself.
+constexpr int prefetch_every = 64;
+constexpr int prefetch_ahead = 1024;  // bytes
+
+constexpr int team_size = 128;  // threads that share a span on a GPU
+
+/// What the kernel may have beside the populations.
+enum class With { nothing, eddy, eddy_and_force };
+
+/// Slots that a span reads and writes: population i arrives in in[i] and leaves to out[i].
+template <class Real, class L, class Stored, With with>
+struct Row {
+  Stored* in[L::Q];
+  Stored* out[L::Q];
+  Real unpack[L::Q], pack[L::Q];  // of 16-bit storage
+  Real const* force[L::D];
+  float const* eddy;
+
+  KOKKOS_FORCEINLINE_FUNCTION Row(Fluid<Real, L, Stored> const& fluid, int cell)
+  {
+    auto const& f = fluid.f;
+    core::static_for<L::Q>([&](auto direction) __attribute__((always_inline)) {
+      constexpr int i = direction, o = L::opposite(direction);
+      int const shift = f.shift(i);
+      Stored* const straight = &f.slots(i, cell);
+      Stored* const reverse = &f.slots(o, cell);
+      in[i] = f.turned ? reverse - shift : straight;
+      out[i] = f.turned ? straight + shift : reverse;
+      unpack[i] = f.unpack_scale(i);
+      pack[i] = 1 / unpack[i];
+    });
+    for (int a = 0; a < L::D; ++a)
+      force[a] = with == With::eddy_and_force ? &fluid.force(a, cell) : nullptr;
+    eddy = with == With::nothing ? nullptr : &fluid.eddy_share(cell);
+  }
+};
+
+/// One cell of a row: gather, collide, scatter.
+template <bool Axisymmetric, With with, class Real, class L, class Stored, class Rule>
+KOKKOS_FORCEINLINE_FUNCTION void update_cell(Row<Real, L, Stored, with> const& row, int x,
+                                             Rule const& rule, Surroundings<Real, L::D> around)
+{
+  using P = Populations<Real, L, Stored>;
+  Real f[L::Q];
+  core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
+    f[i] = P::from_stored(row.in[i][x], row.unpack[i]);
+  });
+  if constexpr (with == With::eddy_and_force)
+    core::static_for<L::D>([&](auto a) __attribute__((always_inline)) {
+      around.force[a] += row.force[a][x];
+    });
+  if constexpr (with != With::nothing) around.smagorinsky_squared *= Real(row.eddy[x]);
+  collide<L, Axisymmetric, with != With::nothing>(f, rule, around);
+  core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
+    row.out[i][x] = P::to_stored(f[i], row.pack[i]);
+  });
+}
+
+template <class L, class Row>
+KOKKOS_FORCEINLINE_FUNCTION void prefetch(Row const& row, int x)
+{
+  core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
+    auto const* p = reinterpret_cast<char const*>(row.in[i] + x) + prefetch_ahead;
+    constexpr int bytes = prefetch_every * int(sizeof(*row.in[0]));
+    for (int line = 0; line < bytes; line += 64) __builtin_prefetch(p + line, 1, 3);
+  });
+}
+
+/// The cells from x = from up to to. Everything is inlined (flatten), and what comes by reference
+/// is copied to the stack: calls, and what a store might alias, keep a loop from being vectorised.
+template <bool Axisymmetric, With with, class Real, class L, class Stored, class Rule>
+[[gnu::flatten]] void update_cells(Row<Real, L, Stored, with> const& row, int from, int to,
+                                   Rule const& rule, Surroundings<Real, L::D> const& around)
+{
+  Row<Real, L, Stored, with> const r = row;
+  Rule const k = rule;
+  Surroundings<Real, L::D> const a = around;
+#pragma GCC ivdep
+  for (int x = from; x < to; ++x) update_cell<Axisymmetric, with>(r, x, k, a);
+}
+
+/// One thread takes a span; the loop over it is vectorised.
+template <bool Axisymmetric, With with, class Real, class L, class Stored, class Rule>
+void update_on_host(Fluid<Real, L, Stored> const& fluid, Rule const& rule,
+                    Surroundings<Real, L::D> const& constant)
+{
+  auto const spans = fluid.spans;
+  double const y0 = fluid.origin[1];
+  // beyond the caches only: within them prefetching costs a little and brings nothing
+  bool const ahead = fluid.f.slots.size() * sizeof(Stored) > (32u << 20);
+  Kokkos::parallel_for(
+      "velum::lbm::update_spans", Kokkos::RangePolicy<Space>(0, spans.extent(0)), [=](int s) {
+        Span const span = spans(s);
+        Row<Real, L, Stored, with> const row(fluid, span.cell);
+        Surroundings<Real, L::D> around = constant;
+        around.inv_y = Axisymmetric ? Real(1 / (y0 + span.row + 0.5)) : Real(0);
+        for (int from = 0; from < span.length; from += prefetch_every) {
+          int const to = from + prefetch_every < span.length ? from + prefetch_every : span.length;
+          if (ahead) prefetch<L>(row, from);
+          update_cells<Axisymmetric>(row, from, to, rule, around);
+        }
+      });
+}
+
+/// A team of threads takes a span, each thread a cell: neighbours read neighbouring addresses.
+template <bool Axisymmetric, With with, class Real, class L, class Stored, class Rule>
+void update_on_device(Fluid<Real, L, Stored> const& fluid, Rule const& rule,
+                      Surroundings<Real, L::D> const& constant)
+{
+  using Team = Kokkos::TeamPolicy<Space>;
+  auto const spans = fluid.spans;
+  double const y0 = fluid.origin[1];
+  Fluid<Real, L, Stored> const copy = fluid;
+  Kokkos::parallel_for(
+      "velum::lbm::update_teams", Team(static_cast<int>(spans.extent(0)), team_size),
+      KOKKOS_LAMBDA(typename Team::member_type const& team) {
+        Span const span = spans(team.league_rank());
+        Surroundings<Real, L::D> around = constant;
+        around.inv_y = Axisymmetric ? Real(1 / (y0 + span.row + 0.5)) : Real(0);
+        Row<Real, L, Stored, with> const row(copy, span.cell);
+        Kokkos::parallel_for(Kokkos::TeamThreadRange(team, span.length),
+                             [&](int x) { update_cell<Axisymmetric, with>(row, x, rule, around); });
+      });
+}
+
+template <bool Axisymmetric, With with, class Real, class L, class Stored, class Rule>
+void update(Fluid<Real, L, Stored> const& fluid, Rule const& rule)
+{
+  Surroundings<Real, L::D> constant;
+  for (int a = 0; a < L::D; ++a) constant.force[a] = Real(fluid.model.body_force[a]);
+  constant.smagorinsky_squared = Real(fluid.model.smagorinsky * fluid.model.smagorinsky);
+  if constexpr (on_host)
+    update_on_host<Axisymmetric, with>(fluid, rule, constant);
+  else
+    update_on_device<Axisymmetric, with>(fluid, rule, constant);
+}
+
+template <bool Axisymmetric, class Real, class L, class Stored, class Rule>
+void update_with(Fluid<Real, L, Stored> const& fluid, Rule const& rule)
+{
+  if (fluid.force.extent(0) > 0) return update<Axisymmetric, With::eddy_and_force>(fluid, rule);
+  if (fluid.model.smagorinsky * fluid.model.smagorinsky > 0)
+    return update<Axisymmetric, With::eddy>(fluid, rule);
+  update<Axisymmetric, With::nothing>(fluid, rule);
+}
+
+template <class Real, class L, class Stored, class Rule>
+void update_rule(Fluid<Real, L, Stored> const& fluid, Rule const& rule)
+{
+  if constexpr (L::D == 2)
+    if (fluid.symmetry == core::Symmetry::axisymmetric) return update_with<true>(fluid, rule);
+  update_with<false>(fluid, rule);
+}
+
+}  // namespace detail
+
+template <class Real, class L, class Stored>
+void stream_and_collide(Fluid<Real, L, Stored>& fluid)
+{
+  Real const omega = Real(fluid.model.omega());
+  switch (fluid.model.collision) {
+    case Collision::bgk:
+      detail::update_rule(fluid, Bgk<Real>{omega});
+      break;
+    case Collision::trt:
+      detail::update_rule(fluid, Trt<Real>{omega, Real(fluid.model.magic)});
+      break;
+    case Collision::recursive_regularised:
+      detail::update_rule(fluid, RecursiveRegularised<Real>{omega});
+      break;
+    case Collision::cumulant:
+      if constexpr (L::Q == 27)
+        detail::update_rule(fluid, Cumulant<Real>{omega});
+      else
+        throw core::InputError("The cumulant collision needs the lattice d3q27.");
+      break;
+    case Collision::central_moments:
+      detail::update_rule(fluid, CentralMoment<Real>{omega});
+      break;
+  }
+  fluid.f.turned = !fluid.f.turned;
+}
+
+}  // namespace velum::lbm

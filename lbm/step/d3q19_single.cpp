@@ -1,0 +1,8 @@
+#include "lbm/lattice/d3q19.hpp"
+#include "lbm/row_kernel.hpp"
+
+namespace velum::lbm {
+
+template void stream_and_collide(Fluid<float, D3Q19, float>&);
+
+}  // namespace velum::lbm

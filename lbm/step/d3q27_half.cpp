@@ -1,0 +1,8 @@
+#include "lbm/lattice/d3q27.hpp"
+#include "lbm/row_kernel.hpp"
+
+namespace velum::lbm {
+
+template void stream_and_collide(Fluid<float, D3Q27, std::int16_t>&);
+
+}  // namespace velum::lbm
