@@ -57,4 +57,14 @@ using Vec3 = Vec<double, 3>;
 /// The direction a turned left by a quarter turn.
 inline Vec2 left_of(Vec2 const& a) { return {-a[1], a[0]}; }
 
+/// A point or direction of space.
+using Vec3 = Vec<double, 3>;
+
+/// Vector product: normal to a and b, right-handed, as long as their parallelogram is large.
+template <class Real>
+KOKKOS_FUNCTION Vec<Real, 3> cross(Vec<Real, 3> const& a, Vec<Real, 3> const& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 }  // namespace velum::core

@@ -44,6 +44,8 @@ void carry_out(cases::Options const& options)
       return cases::run_command(options);
     case cases::Command::check:
       return cases::check_command(options);
+    case cases::Command::stl:
+      return cases::stl_command(options);
     case cases::Command::info:
       return cases::info_command();
   }

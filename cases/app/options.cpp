@@ -39,6 +39,29 @@ void add_scene(CLI::App& command, Options& options)
       ->allow_extra_args(false);
 }
 
+void add_stl(CLI::App& command, Options& options)
+{
+  command.add_option("FILE", options.stl, "The STL file, binary or ASCII")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("--unit", options.unit,
+                  "What one unit of the file is, which STL does not tell: mm, or \"25.4 mm\"")
+      ->required()
+      ->type_name("UNIT");
+  command.add_option("--dx", options.dx, "Side of the lattice's cells: \"0.1 mm\"")
+      ->required()
+      ->type_name("LENGTH");
+  command
+      .add_option("--cut", options.cut,
+                  "Draws the section with a plane and the lattice's solid cells in it: "
+                  "\"x=0.5 mm\"; a plain number is in the file's unit")
+      ->type_name("AXIS=PLACE");
+  command
+      .add_option("--out", options.out, "Folder of the section (results/<name of the STL file>)")
+      ->type_name("DIR");
+}
+
 }  // namespace
 
 CommandLine read_command_line(int argc, char const* const* argv)
@@ -71,10 +94,15 @@ CommandLine read_command_line(int argc, char const* const* argv)
   add_scene(*check, options);
   add_common(*check, options);
 
+  auto* stl = app.add_subcommand(
+      "stl", "Whether an STL file is a closed solid, and what a lattice would see of it");
+  add_stl(*stl, options);
+  add_common(*stl, options);
+
   auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
   add_common(*info, options);
 
-  std::vector<std::string> const commands{"run", "check", "info"};
+  std::vector<std::string> const commands{"run", "check", "stl", "info"};
   if (argc > 1 && argv[1][0] != '-' &&
       std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     std::string const near = core::nearest(argv[1], commands);
@@ -88,7 +116,10 @@ CommandLine read_command_line(int argc, char const* const* argv)
   } catch (CLI::ParseError const& error) {
     return {{}, app.exit(error) == 0 ? 0 : 2};
   }
-  options.command = run->parsed() ? Command::run : check->parsed() ? Command::check : Command::info;
+  options.command = run->parsed()     ? Command::run
+                    : check->parsed() ? Command::check
+                    : stl->parsed()   ? Command::stl
+                                      : Command::info;
   return {std::move(options), 0};
 }
 

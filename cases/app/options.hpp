@@ -6,14 +6,16 @@
 
 namespace velum::cases {
 
-enum class Command { run, check, info };
+enum class Command { run, check, stl, info };
 
 /// What the command line asks for.
 struct Options {
   Command command;
   std::filesystem::path scene;
   std::vector<std::string> set;  // "key=value"
-  std::filesystem::path out;     // empty: results/<name of the scene>
+  std::filesystem::path out;     // empty: results/<name of the scene or of the STL file>
+  std::filesystem::path stl;     // the STL file,
+  std::string unit, dx, cut;     // its unit, the cells it is looked at with, "x=0.5 mm" or empty
   int threads = 0;               // 0: all
   bool quiet = false;
   std::vector<std::string> kokkos;  // --kokkos-* arguments as they are

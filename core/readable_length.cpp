@@ -1,0 +1,25 @@
+#include "core/readable_length.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace velum::core {
+
+LengthUnit readable_unit(double metres)
+{
+  // Half a unit of the fourth digit below the step: what is written as 1000 belongs above it.
+  double const size = std::abs(metres) * (1 + 0.5e-4);
+  if (size >= 1) return {1, "m"};
+  if (size >= 1e-3 || size == 0) return {1e-3, "mm"};
+  if (size >= 1e-6) return {1e-6, "um"};
+  return {1e-9, "nm"};
+}
+
+std::string readable_length(double metres)
+{
+  auto const unit = readable_unit(metres);
+  return fmt::format("{:.4g} {}", metres / unit.metres, unit.name);
+}
+
+}  // namespace velum::core
