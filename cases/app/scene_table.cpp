@@ -221,6 +221,54 @@ Vec2 SceneTable::point(std::string const& key, std::optional<Vec2> fallback)
   return point_of(require(key, "two lengths, such as [\"1 mm\", \"2 mm\"]"), full(key));
 }
 
+Vec2 SceneTable::vector(std::string const& key, core::Dimension dimension)
+{
+  std::string const wanted =
+      fmt::format("two values, such as [\"{0}\", \"{0}\"]", example(dimension));
+  auto const& row = row_of_two(require(key, wanted), full(key), wanted);
+  return {quantity_of(*row.get(0), full(key) + "[0]", dimension, Sign::any),
+          quantity_of(*row.get(1), full(key) + "[1]", dimension, Sign::any)};
+}
+
+std::vector<double> SceneTable::quantities(std::string const& key, core::Dimension dimension)
+{
+  std::string const wanted =
+      fmt::format("an array of values, such as [\"{}\"]", example(dimension));
+  auto const& node = require(key, wanted);
+  auto const* entries = node.as_array();
+  if (!entries || entries->empty())
+    fail_at(node, full(key), fmt::format("must be {}, but is {}.", wanted, describe(node)));
+  std::vector<double> values;
+  for (std::size_t k = 0; k < entries->size(); ++k)
+    values.push_back(quantity_of(*entries->get(k), fmt::format("{}[{}]", full(key), k), dimension,
+                                 Sign::positive));
+  return values;
+}
+
+std::vector<std::string> SceneTable::texts(std::string const& key,
+                                           std::vector<std::string> const& words)
+{
+  std::string const wanted = fmt::format("an array with any of \"{}\"", fmt::join(words, "\", \""));
+  auto const& node = require(key, wanted);
+  auto const* entries = node.as_array();
+  if (!entries)
+    fail_at(node, full(key), fmt::format("must be {}, but is {}.", wanted, describe(node)));
+  std::vector<std::string> given;
+  for (auto const& entry : *entries) {
+    auto const text = entry.value_exact<std::string>();
+    if (!text || std::find(words.begin(), words.end(), *text) == words.end())
+      fail_at(node, full(key),
+              fmt::format(
+                  "holds {}{} It must be {}.", describe(entry),
+                  text && !did_you_mean(*text, words).empty() ? did_you_mean(*text, words) : ".",
+                  wanted));
+    if (std::find(given.begin(), given.end(), *text) != given.end())
+      fail_at(node, full(key), fmt::format("holds \"{}\" twice.", *text));
+    given.push_back(*text);
+  }
+  return given;
+}
+
 std::vector<Vec2> SceneTable::points(std::string const& key)
 {
   std::string const wanted = "an array of points, such as [[\"0 mm\", \"1 mm\"], ...]";
