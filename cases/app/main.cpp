@@ -44,6 +44,10 @@ void carry_out(cases::Options const& options)
       return cases::run_command(options);
     case cases::Command::check:
       return cases::check_command(options);
+    case cases::Command::chart:
+      return cases::chart_command(options);
+    case cases::Command::limits:
+      return cases::limits_command(options);
     case cases::Command::info:
       return cases::info_command();
   }
