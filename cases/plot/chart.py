@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Error against wall time, from the chart.csv that velum chart writes: a panel for each scene, the
-Pareto front of all its runs and the scene's default marked."""
+Pareto front of all its runs and the scene's default marked; of several scenes also one by one."""
 import argparse
 import csv
 from collections import defaultdict
@@ -49,18 +49,15 @@ def draw_panel(axes, scene: str, rows: list[dict[str, str]], colours: dict[str, 
     axes.set_ylabel(rows[0]["error_key"])
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=Path, help="where chart.csv lies")
-    folder = parser.parse_args().folder
-    with open(folder / "chart.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+def draw_chart(rows: list[dict[str, str]], picture: Path) -> None:
     collisions = list(dict.fromkeys(row["collision"] for row in rows))
     colours = {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(collisions)}
     scenes = list(dict.fromkeys(row["scene"] for row in rows))
     columns = min(3, len(scenes))
     lines = -(-len(scenes) // columns)
-    figure, panels = plt.subplots(lines, columns, figsize=(3.6 * columns, 3.2 * lines + 0.8),
+    legend = 0.55 if columns > 1 else 0.9
+    height = 3.2 * lines + legend
+    figure, panels = plt.subplots(lines, columns, figsize=(3.6 * columns + 0.6, height),
                                   squeeze=False)
     for axes in panels.flat[len(scenes):]:
         axes.axis("off")
@@ -68,9 +65,22 @@ def main() -> None:
     for axes, scene in zip(panels.flat, scenes):
         draw_panel(axes, scene, [row for row in rows if row["scene"] == scene], colours)
         labels |= {label: handle for handle, label in zip(*axes.get_legend_handles_labels())}
-    figure.legend(labels.values(), labels.keys(), loc="lower center", ncol=4, fontsize=8)
-    figure.tight_layout(rect=(0, 0.8 / (3.2 * lines + 0.8), 1, 1))
-    save(figure, folder / "chart.png")
+    figure.legend(labels.values(), labels.keys(), loc="lower center", ncol=4 if columns > 1 else 2,
+                  fontsize=8)
+    figure.tight_layout(rect=(0, legend / height, 1, 1))
+    save(figure, picture)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path, help="where chart.csv lies")
+    folder = parser.parse_args().folder
+    with open(folder / "chart.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    draw_chart(rows, folder / "chart.png")
+    scenes = list(dict.fromkeys(row["scene"] for row in rows))
+    for scene in scenes if len(scenes) > 1 else []:
+        draw_chart([row for row in rows if row["scene"] == scene], folder / f"chart_{scene}.png")
 
 
 if __name__ == "__main__":

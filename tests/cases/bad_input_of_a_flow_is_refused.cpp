@@ -63,7 +63,7 @@ TEST(BadFlow, PeriodicSideHasNoBoundaryAndNoRadius)
 {
   EXPECT_EQ(
       refused("to = [\"40 mm\", \"20 mm\"]\n", "to = [\"40 mm\", \"20 mm\"]\nperiodic = [\"x\"]\n"),
-      "scene.toml:20: inlet.patches[0].side = \"x-\" is a periodic side; it has no boundary.");
+      "scene.toml:21: inlet.patches[0].side = \"x-\" is a periodic side; it has no boundary.");
   EXPECT_EQ(refusal(edited(edited(periodic_box(), "planar", "axisymmetric"),
                            "[initial]\nkind = \"taylor_green\"\nvelocity = \"10 mm/s\"\n", "")),
             "scene.toml:7: lattice.periodic cannot hold \"y\", the radius of an axisymmetric "
