@@ -6,6 +6,8 @@ import csv
 from collections import defaultdict
 from pathlib import Path
 
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
 from style import plt, save
 
 COLOURS = ["#1b6ca8", "#c8553d", "#5a8f3c", "#8a5a9e", "#c99a2e", "#4d4d4d"]
@@ -45,6 +47,10 @@ def draw_panel(axes, scene: str, rows: list[dict[str, str]], colours: dict[str, 
                   color="#222222", markerfacecolor="none", linestyle="none", label="default")
     lost = len(rows) - len(done)
     axes.set_title(scene + (f" ({lost} of {len(rows)} diverged)" if lost else ""), fontsize=9)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("wall time (s)")
     axes.set_ylabel(rows[0]["error_key"])
 
