@@ -52,7 +52,6 @@ KOKKOS_FUNCTION Real norm(Vec<Real, N> const& a)
 /// A point or direction of the plane (planar) or of the meridional plane (axisymmetric):
 /// [0] along the axis, [1] across it (the radius where the scene is axisymmetric).
 using Vec2 = Vec<double, 2>;
-using Vec3 = Vec<double, 3>;
 
 /// The direction a turned left by a quarter turn.
 inline Vec2 left_of(Vec2 const& a) { return {-a[1], a[0]}; }

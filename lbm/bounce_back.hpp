@@ -12,10 +12,4 @@ namespace velum::lbm {
 template <class Real, class L, class Stored>
 double bounce_back(Fluid<Real, L, Stored>& fluid, LinkList const& list, core::Vec3 u_wall);
 
-/// Force of the fluid on the wall of a list in the coming step, by momentum exchange relative to
-/// the fluid at rest: sum of c (f_out + f_back) ring over the links, to be called after the wall
-/// has written what it sends back. Ladd 1994; Wen et al., J. Comput. Phys. 266 (2014) 161.
-template <class Real, class L, class Stored>
-core::Vec3 wall_force(Fluid<Real, L, Stored> const& fluid, LinkList const& list);
-
 }  // namespace velum::lbm

@@ -29,7 +29,9 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
     a["les"] = smagorinsky > 0
                    ? fmt::format("Smagorinsky, constant {:.3g}, everywhere", smagorinsky)
                    : std::string("off");
-    a["gap"] = "resolved down to half a cell; below that a film that carries pressure and no flow";
+    if (scene.membrane)
+      a["gap"] =
+          "resolved down to half a cell; below that a film that carries pressure and no flow";
     a["axial symmetry"] = symmetry(scene) == core::Symmetry::axisymmetric
                               ? "no swirl; eddies are rings, so LES is damping and no more"
                               : "none: unit depth";

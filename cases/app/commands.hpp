@@ -9,6 +9,11 @@ void run_command(Options const& options);
 void check_command(Options const& options);
 /// velum stl: the report of an STL file on stdout; with a cut, its section as tables and picture.
 void stl_command(Options const& options);
+/// velum chart: error against wall time of scenes over resolution, collision and precision; a CSV
+/// file, a picture and a line for each run.
+void chart_command(Options const& options);
+/// velum limits: largest stable Reynolds and Mach numbers of every collision; the same.
+void limits_command(Options const& options);
 /// velum info: version, back ends, threads, libraries on stdout.
 void info_command();
 

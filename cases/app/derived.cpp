@@ -40,6 +40,44 @@ double area(Scene const& scene, Boundary const& boundary)
   return sum;
 }
 
+/// Top of a velocity profile over its mean.
+double peak(Scene const& scene, Boundary const& boundary)
+{
+  if (boundary.profile == VelocityProfile::uniform) return 1;
+  bool const bore = symmetry(scene) == core::Symmetry::axisymmetric &&
+                    std::any_of(boundary.patches.begin(), boundary.patches.end(),
+                                [](Patch const& patch) { return patch.from == 0; });
+  return bore ? 2 : 1.5;
+}
+
+double velocity_of(Scene const& scene, Boundary const& boundary, double value)
+{
+  switch (boundary.kind) {
+    case BoundaryKind::velocity:
+    case BoundaryKind::moving_wall:
+      return std::abs(value);
+    case BoundaryKind::flow_rate:
+      return std::abs(value) / area(scene, boundary);
+    default:
+      return 0;
+  }
+}
+
+/// Velocity that a body force reaches between the sides of the box in laminar flow: g h^2/8 nu
+/// between plates, g R^2/4 nu in a pipe.
+double laminar_velocity(Scene const& scene)
+{
+  double velocity = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    double const width = scene.lattice.to[1 - axis] - scene.lattice.from[1 - axis];
+    bool const pipe =
+        axis == 0 && symmetry(scene) == core::Symmetry::axisymmetric && scene.lattice.from[1] == 0;
+    velocity = std::max(velocity, std::abs(scene.fluid.body_force[axis]) * width * width /
+                                      ((pipe ? 4 : 8) * scene.fluid.viscosity));
+  }
+  return velocity;
+}
+
 double largest_slope(Curve const& curve)
 {
   double slope = 0;
@@ -84,14 +122,22 @@ void derive_membrane(Scene const& scene, Derived& d)
 double reference_velocity(Scene const& scene)
 {
   double velocity = std::sqrt(2 * largest_pressure(scene) / scene.fluid.density);
-  for (auto const& boundary : scene.boundaries) {
-    double const largest = largest_magnitude(boundary.value);
-    if (boundary.kind == BoundaryKind::velocity) velocity = std::max(velocity, largest);
-    if (boundary.kind == BoundaryKind::flow_rate)
-      velocity = std::max(velocity, largest / area(scene, boundary));
-  }
+  for (auto const& boundary : scene.boundaries)
+    velocity =
+        std::max(velocity, peak(scene, boundary) *
+                               velocity_of(scene, boundary, largest_magnitude(boundary.value)));
+  velocity = std::max({velocity, scene.initial.velocity, laminar_velocity(scene)});
   if (scene.membrane && scene.membrane->motion)
     velocity = std::max(velocity, largest_slope(*scene.membrane->motion));
+  return velocity;
+}
+
+double flow_velocity(Scene const& scene)
+{
+  double velocity = scene.initial.velocity;
+  for (auto const& boundary : scene.boundaries)
+    velocity =
+        std::max(velocity, velocity_of(scene, boundary, value_at(boundary.value, scene.run.end)));
   return velocity;
 }
 

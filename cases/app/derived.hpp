@@ -30,9 +30,14 @@ struct Derived {
   double damping_step;      // what an explicit beta K0 would allow: 2 / (beta omega^2)
 };
 
-/// Largest velocity that the boundaries and a prescribed motion can cause: sqrt(2 p / rho) of the
-/// largest pressure, a given velocity, flow rate / area, or slope of the motion. 0 if none.
+/// Largest velocity that the boundaries, a body force, the initial flow and a prescribed motion can
+/// cause: sqrt(2 p / rho) of the largest pressure, the top of a given velocity profile, flow rate /
+/// area, laminar flow under the body force, or slope of the motion. 0 if none.
 double reference_velocity(Scene const& scene);
+
+/// The velocity with which a flow is made dimensionless: largest of the initial one and of the mean
+/// velocities that boundaries impose at the end. 0 if none.
+double flow_velocity(Scene const& scene);
 
 /// The step is dt = u_lat dx / u_ref with u_lat = mach / sqrt 3, or as given; a hydrostatic scene
 /// where nothing drives takes the velocity of 1 kPa.

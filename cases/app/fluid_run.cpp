@@ -8,114 +8,150 @@
 #include <numbers>
 
 #include "cases/app/assumptions.hpp"
-#include "cases/app/dump.hpp"
-#include "cases/app/lattice_scene.hpp"
+#include "cases/app/fluid_guard.hpp"
+#include "cases/app/fluid_record.hpp"
 #include "cases/app/progress.hpp"
+#include "cases/app/reference.hpp"
+#include "cases/app/steady.hpp"
 #include "cases/app/stop.hpp"
-#include "core/check.hpp"
-#include "core/output/series.hpp"
-#include "lbm/bounce_back.hpp"
-#include "lbm/observe.hpp"
-#include "lbm/stream_and_collide.hpp"
 
 namespace velum::cases {
 
 namespace {
 
-template <class Real>
-lbm::LinkList resting_walls(LatticeScene<Real> const& s)
+double seconds_since(std::chrono::steady_clock::time_point begin)
 {
-  std::vector<lbm::Link> links;
-  for (lbm::WallHit const& h : s.wall_hits) links.push_back(lbm::link_at(s.fluid, s.walls, h));
-  lbm::LinkList list;
-  lbm::upload(list, links);
-  return list;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-template <class Real>
-void march(Scene const& scene, RunOptions const& options)
+long steps_of(double interval, double dt) { return std::max<long>(1, std::lround(interval / dt)); }
+
+SteadyTest steady_test(Scene const& scene, Derived const& d)
 {
-  double const smagorinsky = smagorinsky_constant(scene, false);
-  auto s = make_lattice_scene<Real>(scene, smagorinsky);
-  auto const about = assumptions(scene, s.derived, smagorinsky);
-  for (auto const& [name, sentence] : about) spdlog::info("{}: {}", name, sentence);
-  auto const walls = resting_walls(s);
-  auto const& units = s.derived.units;
-  auto fields = core::create_fields(options.out, s.derived.grid, about);
-  std::vector<core::Column> columns = {{"speed_max", "m/s"}};
-  for (auto const& o : s.openings) {
-    std::string const name = fmt::format("{}_{}", o.boundary, columns.size() / 2);
-    columns.push_back({name + "_flow", "m3/s"});
-    columns.push_back({name + "_traction", "Pa"});
+  double const side = std::max(d.grid.nx, d.grid.ny) * d.grid.dx;
+  double const length =
+      scene.reference && scene.reference->length > 0 ? scene.reference->length : side;
+  return {scene.run.steady, steps_of(length / d.velocity, d.units.dt)};
+}
+
+/// What a march has seen so far.
+struct Watch {
+  double mach = 0;
+  long cells = 1, steps = 0;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+
+  double mlups() const
+  {
+    return double(steps) * double(cells) / std::max(seconds_since(begin), 1e-9) / 1e6;
   }
-  auto series = core::start_series(options.out / "series.csv", columns);
-  ProgressLine progress(options.quiet);
-  auto const begin = std::chrono::steady_clock::now();
-  long const total = std::lround(scene.run.end / units.dt);
-  long const dump = std::max<long>(1, std::lround(scene.run.output_every / units.dt));
-  double mach = 0, cells = 1;
+};
+
+template <class Real>
+lbm::Observation look(Watch& watch, FluidScene<Real> const& s, long step)
+{
+  auto const seen = lbm::observe(s.lattice.fluid);
+  guard_fluid(s.lattice.derived, seen, step);
+  watch.cells = seen.cells;
+  watch.steps = step;
+  watch.mach = std::max(watch.mach, seen.speed_max * std::numbers::sqrt3);
+  return seen;
+}
+
+/// The last row of the series, then what the march as a whole was like.
+template <class Real>
+std::vector<core::Figure> figures_of(FluidRecord const& record, Watch const& watch,
+                                     FluidScene<Real> const& s)
+{
+  auto const& [columns, time, rows] = record.history;
+  auto const& units = s.lattice.derived.units;
   std::vector<core::Figure> figures;
-  for (long n = 0; n <= total; ++n) {
-    double const time = double(n) * units.dt;
-    if (n % dump == 0 || n == total) {
-      auto const seen = lbm::observe(s.fluid);
-      cells = double(seen.cells);
-      if (seen.not_finite > 0 || seen.speed_max * std::numbers::sqrt3 > 1)
-        throw core::Divergence(fmt::format(
-            "Diverged at step {}: the fluid is not finite or faster than its sound, worst in cell "
-            "({}, {}). Likely cause: tau - 1/2 = {:.2g} is too small for this collision, or "
-            "lattice.mach is too large.",
-            n, seen.worst_i, seen.worst_j, s.derived.tau_minus_half));
-      mach = std::max(mach, seen.speed_max * std::numbers::sqrt3);
-      std::vector<double> values = {core::to_si_velocity(units, seen.speed_max)};
-      for (auto const& o : s.openings) {
-        values.push_back(core::to_si_flow_rate(units, symmetry(scene), o.opening.mass_flow));
-        values.push_back(core::to_si_pressure(units, o.opening.traction));
-      }
-      core::append(series, time, values);
-      core::write_fields(fields, time, fluid_fields(s.fluid, units), {});
-      figures.clear();
-      for (std::size_t k = 0; k < columns.size(); ++k)
-        figures.push_back({columns[k].name, values[k], columns[k].unit});
-      double const elapsed =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      progress.show({.time = time,
-                     .end = scene.run.end,
-                     .mlups = double(n) * cells / std::max(elapsed, 1e-9) / 1e6,
-                     .mach = mach});
-      if (stop_requested())
-        throw Stopped(fmt::format("Stopped by a signal at t = {:.4g} s.", time));
-    }
-    if (n == total) break;
-    lbm::fill_ghosts(s.fluid);
-    lbm::bounce_back(s.fluid, walls, {});
-    for (auto& o : s.openings)
-      lbm::apply(s.fluid, o.opening,
-                 lattice_target(scene, s.derived, *find_boundary(scene, o.boundary), time));
-    lbm::stream_and_collide(s.fluid);
-  }
-  progress.finish();
-  double const elapsed =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  auto const eddy = lbm::eddy_viscosity(s.fluid);
-  figures.push_back({"mach_max", mach, "1"});
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    figures.push_back({columns[k].name, rows.back()[k], columns[k].unit});
+  auto const eddy = lbm::eddy_viscosity(s.lattice.fluid);
+  figures.push_back({"end_time", time.back(), "s"});
+  figures.push_back({"mach_max", watch.mach, "1"});
   figures.push_back(
       {"eddy_viscosity_mean", core::to_si_kinematic_viscosity(units, eddy.mean), "m2/s"});
   figures.push_back(
       {"eddy_viscosity_max", core::to_si_kinematic_viscosity(units, eddy.max), "m2/s"});
-  figures.push_back({"wall_time", elapsed, "s"});
-  figures.push_back({"mlups", double(total) * cells / elapsed / 1e6, "1e6/s"});
-  core::write_summary(options.out / "summary.json", {figures, about});
-  for (auto const& f : figures) spdlog::info("{} = {:.6g} {}", f.name, f.value, f.unit);
-  spdlog::info("results: {}", (options.out / "run.xmf").string());
+  figures.push_back({"steps", double(watch.steps), "1"});
+  figures.push_back({"wall_time", seconds_since(watch.begin), "s"});
+  figures.push_back({"mlups", watch.mlups(), "1e6/s"});
+  return figures;
+}
+
+template <class Real>
+core::Summary march(Scene const& scene, RunOptions const& options)
+{
+  double const smagorinsky = smagorinsky_constant(scene, false);
+  auto s = make_fluid_scene<Real>(scene, smagorinsky);
+  auto const& d = s.lattice.derived;
+  ReferenceData const data = scene.reference ? load_reference(scene) : ReferenceData{};
+  core::Summary summary{{}, assumptions(scene, d, smagorinsky)};
+  if (scene.reference) summary.assumptions["reference"] = data.note;
+  bool const heard = !options.out.empty();
+  if (heard)
+    for (auto const& [name, sentence] : summary.assumptions) spdlog::info("{}: {}", name, sentence);
+
+  auto record = start_record(s, options.out, summary.assumptions);
+  ProgressLine progress(options.quiet || !heard);
+  SteadyTest steady = steady_test(scene, d);
+  double const dt = d.units.dt;
+  long const total = std::lround(scene.run.end / dt);
+  long const dump = steps_of(scene.run.output_every, dt);
+  long const sample = steps_of(scene.run.sample_every, dt);
+  Watch watch;
+  bool rested = false;
+  for (long n = 0;; ++n) {
+    double const time = double(n) * dt;
+    rested = steady.due(n) && steady.passed(lbm::cell_states(s.lattice.fluid));
+    bool const last = n == total || rested || stop_requested();
+    bool const sampling = n % sample == 0 || last;
+    if (sampling || n % guard_every == 0) {
+      auto const seen = look(watch, s, n);
+      if (sampling) add_sample(record, s, seen, time);
+      if (n % dump == 0 || last) add_dump(record, s, time);
+      progress.show(
+          {.time = time, .end = scene.run.end, .mlups = watch.mlups(), .mach = watch.mach});
+    }
+    if (last) break;
+    step(s, time);
+  }
+  progress.finish();
+  double const end = record.history.time.back();
+  if (stop_requested()) throw Stopped(fmt::format("Stopped by a signal at t = {:.4g} s.", end));
+
+  summary.figures = figures_of(record, watch, s);
+  if (scene.run.steady > 0) summary.figures.push_back({"steady_change", steady.change(), "1"});
+  summary.assumptions["end"] =
+      rested ? fmt::format(
+                   "steady at t = {:.4g} s: the velocities changed by {:.2g} of themselves "
+                   "in the last {:.4g} s",
+                   end, steady.change(), double(steady.period()) * dt)
+             : fmt::format("run.end reached at t = {:.4g} s", end);
+  if (scene.reference) {
+    Sampled const flow = sampled(s);
+    for (auto const& f : compare(data, {scene, d.units, flow, record.history, end}))
+      summary.figures.push_back(f);
+  }
+  return summary;
 }
 
 }  // namespace
 
+core::Summary march_fluid(Scene const& scene, RunOptions const& options)
+{
+  return scene.lattice.precision == Precision::double_ ? march<double>(scene, options)
+                                                       : march<float>(scene, options);
+}
+
 void run_fluid(Scene const& scene, RunOptions const& options)
 {
-  scene.lattice.precision == Precision::double_ ? march<double>(scene, options)
-                                                : march<float>(scene, options);
+  auto const summary = march_fluid(scene, options);
+  core::write_summary(options.out / "summary.json", summary);
+  spdlog::info("end: {}", summary.assumptions.at("end"));
+  for (auto const& f : summary.figures) spdlog::info("{} = {:.6g} {}", f.name, f.value, f.unit);
+  spdlog::info("results: {}", (options.out / "run.xmf").string());
 }
 
 }  // namespace velum::cases

@@ -16,6 +16,13 @@ struct PatchOpening {
   std::vector<lbm::Link> links;
 };
 
+/// Part of a side of the lattice box that slides along itself.
+struct SlidingWall {
+  std::string boundary;
+  int along;  // axis of its motion
+  lbm::LinkList links;
+};
+
 /// The fluid of a scene with its rigid surroundings, lattice units: lengths are metres / dx.
 template <class Real>
 struct LatticeScene {
@@ -23,11 +30,12 @@ struct LatticeScene {
   lbm::Fluid<Real> fluid;
   core::Obstacle solids;
   lbm::Walls walls;
-  std::vector<lbm::WallHit> wall_hits;  // those that no opening took
+  std::vector<lbm::WallHit> wall_hits;  // those that no opening and no sliding wall took
   std::vector<PatchOpening> openings;
+  std::vector<SlidingWall> sliding;
 };
 
-/// Builds fluid, walls and openings.
+/// Builds fluid, walls, sliding walls and openings.
 /// @param smagorinsky  constant, 0 for off
 /// Throws core::InputError where a patch takes no link of the lattice.
 template <class Real>

@@ -46,6 +46,10 @@ void carry_out(cases::Options const& options)
       return cases::check_command(options);
     case cases::Command::stl:
       return cases::stl_command(options);
+    case cases::Command::chart:
+      return cases::chart_command(options);
+    case cases::Command::limits:
+      return cases::limits_command(options);
     case cases::Command::info:
       return cases::info_command();
   }

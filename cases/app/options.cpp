@@ -25,12 +25,8 @@ void add_common(CLI::App& command, Options& options)
   command.footer(std::string("--kokkos-* options pass through to Kokkos.\n") + exit_codes);
 }
 
-void add_scene(CLI::App& command, Options& options)
+void add_set(CLI::App& command, Options& options)
 {
-  command
-      .add_option("SCENE", options.scene, "The scene file, such as cases/closed_valve/scene.toml")
-      ->required()
-      ->type_name("");
   command
       .add_option("--set", options.set,
                   "Replaces a value of the scene: inlet.pressure=\"300 kPa\". May be repeated")
@@ -62,6 +58,62 @@ void add_stl(CLI::App& command, Options& options)
       ->type_name("DIR");
 }
 
+void add_scene(CLI::App& command, Options& options)
+{
+  command
+      .add_option("SCENE", options.scene, "The scene file, such as cases/closed_valve/scene.toml")
+      ->required()
+      ->type_name("");
+  add_set(command, options);
+}
+
+void add_out(CLI::App& command, Options& options, std::string const& otherwise)
+{
+  command.add_option("--out", options.out, "Folder of the results (" + otherwise + ")")
+      ->type_name("DIR");
+}
+
+void add_chart(CLI::App& app, Options& options)
+{
+  auto* chart = app.add_subcommand(
+      "chart", "Error against wall time over resolution, collision and precision; CSV and picture");
+  chart
+      ->add_option("SCENE", options.scenes,
+                   "Scene files with a [reference], such as cases/pipe/scene.toml")
+      ->required()
+      ->type_name("");
+  add_set(*chart, options);
+  add_out(*chart, options, "results/chart");
+  chart->add_flag("--quick", options.quick, "Without the finest resolution of each scene");
+  add_common(*chart, options);
+}
+
+void add_limits(CLI::App& app, Options& options)
+{
+  auto* limits = app.add_subcommand(
+      "limits",
+      "Largest stable Reynolds and Mach numbers of each collision, with LES and without; CSV and "
+      "picture");
+  limits->add_option("MAP", options.map, "The flow to try: shear_layer")->required()->type_name("");
+  limits->add_option("--cells", options.cells, "Cells across the flow (64; with --quick 32)")
+      ->check(CLI::Range(8, 4096))
+      ->type_name("N");
+  add_out(*limits, options, "results/limits_<MAP>");
+  limits->add_flag("--quick", options.quick, "32 cells, at one Mach number");
+  add_common(*limits, options);
+}
+
+Command parsed(CLI::App const& app)
+{
+  std::string const name = app.get_subcommands().front()->get_name();
+  return name == "run"      ? Command::run
+         : name == "check"  ? Command::check
+         : name == "stl"    ? Command::stl
+         : name == "chart"  ? Command::chart
+         : name == "limits" ? Command::limits
+                            : Command::info;
+}
+
 }  // namespace
 
 CommandLine read_command_line(int argc, char const* const* argv)
@@ -84,8 +136,7 @@ CommandLine read_command_line(int argc, char const* const* argv)
 
   auto* run = app.add_subcommand("run", "March a scene and write its results to a folder");
   add_scene(*run, options);
-  run->add_option("--out", options.out, "Folder of the results (results/<name of the scene>)")
-      ->type_name("DIR");
+  add_out(*run, options, "results/<name of the scene>");
   add_common(*run, options);
 
   auto* check = app.add_subcommand(
@@ -98,11 +149,13 @@ CommandLine read_command_line(int argc, char const* const* argv)
       "stl", "Whether an STL file is a closed solid, and what a lattice would see of it");
   add_stl(*stl, options);
   add_common(*stl, options);
+  add_chart(app, options);
+  add_limits(app, options);
 
   auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
   add_common(*info, options);
 
-  std::vector<std::string> const commands{"run", "check", "stl", "info"};
+  std::vector<std::string> const commands{"run", "check", "stl", "chart", "limits", "info"};
   if (argc > 1 && argv[1][0] != '-' &&
       std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     std::string const near = core::nearest(argv[1], commands);
@@ -116,10 +169,7 @@ CommandLine read_command_line(int argc, char const* const* argv)
   } catch (CLI::ParseError const& error) {
     return {{}, app.exit(error) == 0 ? 0 : 2};
   }
-  options.command = run->parsed()     ? Command::run
-                    : check->parsed() ? Command::check
-                    : stl->parsed()   ? Command::stl
-                                      : Command::info;
+  options.command = parsed(app);
   return {std::move(options), 0};
 }
 

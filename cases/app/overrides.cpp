@@ -153,7 +153,8 @@ std::string apply_override(toml::table& scene, std::string const& text)
   toml::table* table = &scene;
   std::string path;
   for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
-    bool const named = k == 1 && (path == "solid" || path == "material" || path == "boundary");
+    bool const named =
+        k == 1 && (path == "solid" || path == "material" || path == "boundary" || path == "probe");
     path += (path.empty() ? "" : ".") + steps[k].key;
     for (auto const index : steps[k].indices) path += fmt::format("[{}]", index);
     table = &descend(*table, steps[k], path, named);

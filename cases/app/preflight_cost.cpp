@@ -44,7 +44,9 @@ Row time_row(Scene const& scene, Derived const& d, double cells, double mlups)
   double const seconds = static_cast<double>(d.steps) * cells / (1e6 * mlups);
   Row row{"time to finish, fluid", seconds < 120 ? seconds : seconds / 60,
           seconds < 120 ? "s" : "min", Verdict::ok,
-          fmt::format("at {:.3g} MLUPS, measured now; the membrane comes on top", mlups)};
+          fmt::format("at {:.3g} MLUPS, measured now{}", mlups,
+                      scene.membrane ? "; the membrane comes on top" : "")};
+  if (scene.run.steady > 0) row.remark += "; less where the flow becomes steady before run.end";
   if (seconds > 3600) {
     row.verdict = seconds > 86400 ? Verdict::red : Verdict::warn;
     // Cells and steps together grow with the third power of the resolution.

@@ -30,6 +30,12 @@ void prepare_results(Scene const& scene, std::filesystem::path const& out)
   for (char const* name : {"run.h5", "run.xmf", "series.csv", "summary.json", "log.txt"})
     std::filesystem::remove(out / name, ignored);
 
+  // With the table of its reference beside it, the scene as run can be run again from there.
+  if (scene.reference && !scene.reference->file.empty())
+    std::filesystem::copy_file(
+        std::filesystem::path(scene.file).parent_path() / scene.reference->file,
+        out / scene.reference->file, std::filesystem::copy_options::overwrite_existing, ignored);
+
   std::ofstream file(scene_file);
   file << scene.text << std::flush;
   if (!file)

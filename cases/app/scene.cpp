@@ -44,7 +44,8 @@ core::Symmetry symmetry_of(Fidelity fidelity, SceneTable& root)
 Scene compose(SceneTable root)
 {
   root.allow({"name", "fidelity", "lattice", "fluid", "les", "solid", "inlet", "outlet", "boundary",
-              "material", "membrane", "contact", "coupling", "run"});
+              "material", "membrane", "contact", "coupling", "run", "initial", "probe", "reference",
+              "chart"});
   std::string name = root.text("name");
   if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.'))
     root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
@@ -76,6 +77,12 @@ Scene compose(SceneTable root)
   if (root.has("membrane"))
     scene.membrane = read_membrane(root.table("membrane"), planar_or_ring, scene.lattice.dx);
   if (root.has("contact")) scene.contact = read_contact(root.table("contact"));
+  if (root.has("initial")) scene.initial = read_initial(root.table("initial"));
+  if (root.has("probe"))
+    for (auto const& [key, table] : root.table("probe").tables())
+      scene.probes.push_back(read_probe(table, key));
+  if (root.has("reference")) scene.reference = read_reference(root.table("reference"));
+  if (root.has("chart")) scene.chart = read_sweep(root.table("chart"));
   return scene;
 }
 
@@ -126,6 +133,13 @@ Boundary const* find_boundary(Scene const& scene, std::string const& name)
   auto const found = std::find_if(scene.boundaries.begin(), scene.boundaries.end(),
                                   [&](Boundary const& b) { return b.name == name; });
   return found == scene.boundaries.end() ? nullptr : &*found;
+}
+
+Probe const* find_probe(Scene const& scene, std::string const& name)
+{
+  auto const found = std::find_if(scene.probes.begin(), scene.probes.end(),
+                                  [&](Probe const& p) { return p.name == name; });
+  return found == scene.probes.end() ? nullptr : &*found;
 }
 
 Solid const* find_solid(Scene const& scene, std::string const& name)

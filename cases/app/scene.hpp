@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/app/curve.hpp"
+#include "cases/app/scene_flow.hpp"
 #include "core/symmetry.hpp"
 #include "core/vec.hpp"
 #include "lbm/fluid.hpp"
@@ -20,7 +21,7 @@ enum class Precision { double_, single_ };
 enum class LesModel { auto_, off, smagorinsky };
 enum class SolidShape { box, disc, profile };
 enum class Operation { add, subtract };
-enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow };
+enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, moving_wall };
 enum class MembraneShape { disc, strip };
 enum class Rim { clamped, free };
 enum class ContactMethod { penalty, augmented_lagrangian };
@@ -38,11 +39,13 @@ struct Lattice {
   double magic = 0.125;  // of TRT
   Precision precision = Precision::double_;
   Vec2 shift{};  // of the grid against the geometry
+  bool periodic_x = false, periodic_y = false;
 };
 
 struct FluidProperties {
   double density;
-  double viscosity;  // kinematic
+  double viscosity;   // kinematic
+  Vec2 body_force{};  // per mass: an acceleration
 };
 
 struct Les {
@@ -74,8 +77,11 @@ struct Patch {
 struct Boundary {
   std::string name;
   BoundaryKind kind;
-  Curve value;  // over time: a pressure, velocity or flow rate as the kind says
+  /// Over time: a pressure, a velocity (mean over a patch; of a moving wall along its side, in the
+  /// direction of the axis there) or a flow rate, as the kind says.
+  Curve value;
   std::vector<Patch> patches;
+  VelocityProfile profile = VelocityProfile::uniform;
 };
 
 /// Incompressible neo-Hookean rubber with Rayleigh damping alpha M + beta K0.
@@ -123,7 +129,9 @@ struct Schedule {
   double settle = 0;
   double shut = 0;
   double output_every;
-  double end;  // settle + shut unless given
+  double end;           // settle + shut unless given
+  double sample_every;  // rows of the series; output_every unless given
+  double steady = 0;    // ends the run below this relative change; 0: never
 };
 
 /// What a scene file says, in SI units, checked. Points are (axial, radial) or (x, y).
@@ -140,6 +148,10 @@ struct Scene {
   std::optional<ContactPair> contact{};
   Coupling coupling{};
   Schedule run;
+  InitialState initial{};
+  std::vector<Probe> probes{};
+  std::optional<Reference> reference{};
+  Sweep chart{};
 
   std::string text{};                           // as read, overrides merged in, as TOML
   std::string file{};                           // its path
@@ -158,6 +170,9 @@ core::Symmetry symmetry(Scene const& scene);
 
 /// The boundary of that name, or nullptr.
 Boundary const* find_boundary(Scene const& scene, std::string const& name);
+
+/// The probe of that name, or nullptr.
+Probe const* find_probe(Scene const& scene, std::string const& name);
 
 /// The solid of that name, or nullptr.
 Solid const* find_solid(Scene const& scene, std::string const& name);

@@ -19,17 +19,6 @@ std::string mm(double metres) { return fmt::format("{:.6g} mm", 1e3 * metres); }
 
 std::string coordinate(int axis) { return axis == 0 ? "first" : "second"; }
 
-/// "...; did you mean "rubber"?" or "...; the scene has rubber and steel."
-[[noreturn]] void reject_name(Scene const& scene, std::string const& key, std::string const& name,
-                              std::string const& kind, std::vector<std::string> const& known)
-{
-  std::string const near = core::nearest(name, known);
-  std::string const hint = !near.empty()   ? fmt::format("did you mean \"{}\"?", near)
-                           : known.empty() ? fmt::format("the scene has no {}.", kind)
-                                           : fmt::format("allowed: {}.", core::any_of(known));
-  reject(scene, key, fmt::format("= \"{}\" names no {} of the scene; {}", name, kind, hint));
-}
-
 std::vector<std::string> solid_names(Scene const& scene)
 {
   std::vector<std::string> names;
@@ -198,6 +187,16 @@ void check_contact(Scene const& scene)
 
 }  // namespace
 
+void reject_name(Scene const& scene, std::string const& key, std::string const& name,
+                 std::string const& kind, std::vector<std::string> const& known)
+{
+  std::string const near = core::nearest(name, known);
+  std::string const hint = !near.empty()   ? fmt::format("did you mean \"{}\"?", near)
+                           : known.empty() ? fmt::format("the scene has no {}.", kind)
+                                           : fmt::format("allowed: {}.", core::any_of(known));
+  reject(scene, key, fmt::format("= \"{}\" names no {} of the scene; {}", name, kind, hint));
+}
+
 void check_scene(Scene const& scene)
 {
   check_lattice(scene);
@@ -207,6 +206,7 @@ void check_scene(Scene const& scene)
   if (scene.contact) check_contact(scene);
   if (scene.fidelity == Fidelity::hydrostatic && !scene.membrane)
     reject(scene, "fidelity", "= \"hydrostatic\" needs a membrane; the scene has none.");
+  check_flow(scene);
   if (reference_velocity(scene) == 0 && !scene.lattice.time_step &&
       scene.fidelity != Fidelity::hydrostatic)
     reject(scene, "lattice",

@@ -8,4 +8,13 @@ namespace velum::cases {
 /// @throws core::InputError  one sentence with place and key
 void check_scene(Scene const& scene);
 
+/// The part of check_scene() about what only a flow without membrane has: periodic sides, moving
+/// walls, initial flow, probes, reference, chart.
+void check_flow(Scene const& scene);
+
+/// Throws core::InputError: the name under the key names nothing of that kind; says the nearest one
+/// or all that are known.
+[[noreturn]] void reject_name(Scene const& scene, std::string const& key, std::string const& name,
+                              std::string const& kind, std::vector<std::string> const& known);
+
 }  // namespace velum::cases

@@ -8,8 +8,8 @@ using core::Dimension;
 
 Lattice read_lattice(SceneTable table)
 {
-  table.allow(
-      {"dx", "from", "to", "mach", "time_step", "collision", "magic", "precision", "shift"});
+  table.allow({"dx", "from", "to", "mach", "time_step", "collision", "magic", "precision", "shift",
+               "periodic"});
   Lattice lattice{.dx = table.quantity("dx", Dimension::length, Sign::positive),
                   .from = table.point("from"),
                   .to = table.point("to")};
@@ -21,14 +21,21 @@ Lattice read_lattice(SceneTable table)
   lattice.magic = table.number("magic", lattice.magic);
   lattice.precision = table.choice<Precision>("precision", lattice.precision);
   lattice.shift = table.point("shift", lattice.shift);
+  if (table.has("periodic"))
+    for (auto const& axis : table.texts("periodic", {"x", "y"}))
+      (axis == "x" ? lattice.periodic_x : lattice.periodic_y) = true;
   return lattice;
 }
 
 FluidProperties read_fluid(SceneTable table)
 {
-  table.allow({"density", "viscosity"});
-  return {table.quantity("density", Dimension::density, Sign::positive),
-          table.quantity("viscosity", Dimension::kinematic_viscosity, Sign::positive)};
+  table.allow({"density", "viscosity", "body_force"});
+  FluidProperties fluid{
+      table.quantity("density", Dimension::density, Sign::positive),
+      table.quantity("viscosity", Dimension::kinematic_viscosity, Sign::positive)};
+  if (table.has("body_force"))
+    fluid.body_force = table.vector("body_force", Dimension::acceleration);
+  return fluid;
 }
 
 Les read_les(SceneTable table)
@@ -59,19 +66,25 @@ std::vector<Patch> read_patches(SceneTable& table)
 
 Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmetry)
 {
-  table.allow({"kind", "pressure", "velocity", "flow_rate", "patches"});
+  table.allow({"kind", "pressure", "velocity", "flow_rate", "patches", "profile"});
   auto const kind = table.choice<BoundaryKind>("kind");
   bool const has_pressure = kind == BoundaryKind::traction || kind == BoundaryKind::pressure ||
                             kind == BoundaryKind::outflow;
-  std::string const key = has_pressure ? "pressure" : word(kind);
-  table.allow({"kind", key, "patches"}, fmt::format(" with kind = \"{}\"", word(kind)));
+  bool const has_velocity = kind == BoundaryKind::velocity || kind == BoundaryKind::moving_wall;
+  std::string const key = has_pressure ? "pressure" : has_velocity ? "velocity" : word(kind);
+  std::vector<std::string> keys{"kind", key, "patches"};
+  bool const has_profile = kind == BoundaryKind::traction || kind == BoundaryKind::velocity ||
+                           kind == BoundaryKind::flow_rate;
+  if (has_profile) keys.push_back("profile");
+  table.allow(keys, fmt::format(" with kind = \"{}\"", word(kind)));
 
   Boundary boundary{std::move(name), kind, {}, {}};
+  boundary.profile = table.choice<VelocityProfile>("profile", boundary.profile);
   if (has_pressure) {
     std::optional<double> fallback;
     if (kind == BoundaryKind::outflow) fallback = 0.0;
     boundary.value = table.curve(key, Dimension::time, Dimension::pressure, Sign::any, fallback);
-  } else if (kind == BoundaryKind::velocity) {
+  } else if (has_velocity) {
     boundary.value = table.curve(key, Dimension::time, Dimension::velocity);
   } else {
     boundary.value = table.curve(

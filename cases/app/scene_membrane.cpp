@@ -89,21 +89,4 @@ Coupling read_coupling(SceneTable table)
   return coupling;
 }
 
-Schedule read_schedule(SceneTable table)
-{
-  table.allow({"settle", "shut", "end", "output_every"});
-  Schedule run{.output_every = 0, .end = 0};
-  run.shut = table.quantity("shut", Dimension::time, Sign::not_negative, 0.0);
-  if (table.has("end")) {
-    run.end = table.quantity("end", Dimension::time, Sign::positive);
-    if (run.shut > run.end) table.fail("shut", "must not exceed \"end\".");
-    run.settle = table.quantity("settle", Dimension::time, Sign::not_negative, run.end - run.shut);
-  } else {
-    run.settle = table.quantity("settle", Dimension::time, Sign::positive);
-    run.end = run.settle + run.shut;
-  }
-  run.output_every = table.quantity("output_every", Dimension::time, Sign::positive, run.end);
-  return run;
-}
-
 }  // namespace velum::cases

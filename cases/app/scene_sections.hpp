@@ -16,5 +16,9 @@ MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx
 ContactPair read_contact(SceneTable table);
 Coupling read_coupling(SceneTable table);
 Schedule read_schedule(SceneTable table);
+InitialState read_initial(SceneTable table);
+Probe read_probe(SceneTable table, std::string name);
+Reference read_reference(SceneTable table);
+Sweep read_sweep(SceneTable table);
 
 }  // namespace velum::cases

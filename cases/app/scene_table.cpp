@@ -1,7 +1,7 @@
 #include "cases/app/scene_table.hpp"
+#include "cases/app/scene_text.hpp"
 
 #include "core/check.hpp"
-#include "core/spelling.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,31 +12,6 @@
 
 namespace velum::cases {
 namespace {
-
-/// What a node is, in words.
-std::string describe(toml::node const& node)
-{
-  if (auto const* text = node.as_string()) return fmt::format("the text \"{}\"", text->get());
-  if (auto const* number = node.as_integer()) return fmt::format("the number {}", number->get());
-  if (auto const* number = node.as_floating_point())
-    return fmt::format("the number {}", number->get());
-  if (auto const* truth = node.as_boolean()) return truth->get() ? "true" : "false";
-  if (auto const* rows = node.as_array())
-    return fmt::format("an array of {} value{}", rows->size(), rows->size() == 1 ? "" : "s");
-  return node.is_table() ? "a table" : "a date or time";
-}
-
-/// A value of that dimension as it is written.
-std::string example(core::Dimension dimension)
-{
-  return "1 " + core::usual_units(dimension).front();
-}
-
-std::string did_you_mean(std::string_view word, std::vector<std::string> const& words)
-{
-  std::string const nearest = core::nearest(word, words);
-  return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
-}
 
 bool is_within(std::string const& path, std::string const& outer)
 {
@@ -197,67 +172,6 @@ std::string SceneTable::word_of(std::string const& key, std::vector<std::string>
                         fmt::join(words, ", ")));
   }
   return *given;
-}
-
-toml::array const& SceneTable::row_of_two(toml::node const& node, std::string const& path,
-                                          std::string const& what) const
-{
-  auto const* row = node.as_array();
-  if (!row || row->size() != 2)
-    fail_at(node, path, fmt::format("must be {}, but is {}.", what, describe(node)));
-  return *row;
-}
-
-Vec2 SceneTable::point_of(toml::node const& node, std::string const& path) const
-{
-  auto const& row = row_of_two(node, path, "two lengths, such as [\"1 mm\", \"2 mm\"]");
-  return {quantity_of(*row.get(0), path + "[0]", core::Dimension::length, Sign::any),
-          quantity_of(*row.get(1), path + "[1]", core::Dimension::length, Sign::any)};
-}
-
-Vec2 SceneTable::point(std::string const& key, std::optional<Vec2> fallback)
-{
-  if (fallback && !has(key)) return *fallback;
-  return point_of(require(key, "two lengths, such as [\"1 mm\", \"2 mm\"]"), full(key));
-}
-
-std::vector<Vec2> SceneTable::points(std::string const& key)
-{
-  std::string const wanted = "an array of points, such as [[\"0 mm\", \"1 mm\"], ...]";
-  auto const& node = require(key, wanted);
-  auto const* rows = node.as_array();
-  if (!rows) fail_at(node, full(key), "must be " + wanted + ", but is " + describe(node) + '.');
-  std::vector<Vec2> points;
-  for (std::size_t k = 0; k < rows->size(); ++k)
-    points.push_back(point_of(*rows->get(k), fmt::format("{}[{}]", full(key), k)));
-  return points;
-}
-
-Curve SceneTable::curve(std::string const& key, core::Dimension argument, core::Dimension value,
-                        Sign sign, std::optional<double> fallback)
-{
-  if (fallback && !has(key)) return constant(*fallback);
-  std::string const row = fmt::format("[\"{}\", \"{}\"]", example(argument), example(value));
-  auto const& node = require(key, fmt::format("{}, such as \"{}\", or a table of rows {}",
-                                              core::name(value), example(value), row));
-  auto const* rows = node.as_array();
-  if (!rows) return constant(quantity_of(node, full(key), value, sign));
-  if (rows->empty()) fail_at(node, full(key), fmt::format("is an empty table; rows are {}.", row));
-
-  Curve curve;
-  for (std::size_t k = 0; k < rows->size(); ++k) {
-    std::string const path = fmt::format("{}[{}]", full(key), k);
-    auto const& entry = row_of_two(*rows->get(k), path, "a row " + row);
-    double const at = quantity_of(*entry.get(0), path + "[0]", argument, Sign::any);
-    if (k > 0 && at <= curve.at.back())
-      fail_at(entry, path,
-              fmt::format("must follow the row before it: the first column of the "
-                          "table {} has to increase strictly.",
-                          full(key)));
-    curve.at.push_back(at);
-    curve.value.push_back(quantity_of(*entry.get(1), path + "[1]", value, sign));
-  }
-  return curve;
 }
 
 SceneTable SceneTable::table(std::string const& key)

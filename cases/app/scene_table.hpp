@@ -50,6 +50,12 @@ class SceneTable {
   /// One of the words of a choice.
   template <class Choice>
   Choice choice(std::string const& key, std::optional<Choice> fallback = {});
+  /// Different words of a list, in its order.
+  std::vector<std::string> texts(std::string const& key, std::vector<std::string> const& words);
+  /// Values with their units, in SI, positive, at least one.
+  std::vector<double> quantities(std::string const& key, core::Dimension dimension);
+  /// Two values of a dimension, in SI.
+  Vec2 vector(std::string const& key, core::Dimension dimension);
   /// Two lengths.
   Vec2 point(std::string const& key, std::optional<Vec2> fallback = {});
   /// Rows of two lengths.

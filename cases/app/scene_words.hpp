@@ -43,11 +43,32 @@ inline Words<Operation> words(Operation)
 }
 inline Words<BoundaryKind> words(BoundaryKind)
 {
-  return {{"traction", BoundaryKind::traction},
-          {"pressure", BoundaryKind::pressure},
-          {"velocity", BoundaryKind::velocity},
-          {"flow_rate", BoundaryKind::flow_rate},
-          {"outflow", BoundaryKind::outflow}};
+  return {{"traction", BoundaryKind::traction}, {"pressure", BoundaryKind::pressure},
+          {"velocity", BoundaryKind::velocity}, {"flow_rate", BoundaryKind::flow_rate},
+          {"outflow", BoundaryKind::outflow},   {"moving_wall", BoundaryKind::moving_wall}};
+}
+inline Words<VelocityProfile> words(VelocityProfile)
+{
+  return {{"uniform", VelocityProfile::uniform}, {"parabolic", VelocityProfile::parabolic}};
+}
+inline Words<InitialKind> words(InitialKind)
+{
+  return {{"rest", InitialKind::rest},
+          {"taylor_green", InitialKind::taylor_green},
+          {"shear_layer", InitialKind::shear_layer}};
+}
+inline Words<ProbeKind> words(ProbeKind)
+{
+  return {{"point", ProbeKind::point},
+          {"force", ProbeKind::force},
+          {"pressure_difference", ProbeKind::pressure_difference}};
+}
+inline Words<ReferenceKind> words(ReferenceKind)
+{
+  return {{"points", ReferenceKind::points},
+          {"taylor_green", ReferenceKind::taylor_green},
+          {"pipe", ReferenceKind::pipe},
+          {"body", ReferenceKind::body}};
 }
 inline Words<MembraneShape> words(MembraneShape)
 {

@@ -18,7 +18,7 @@ TEST(BadInput, UnknownKeyHasLineNearestSpellingAndAllowedKeys)
   EXPECT_EQ(
       refused("dx = \"100 um\"", "dxx = \"100 um\""),
       "scene.toml:4: lattice.dxx is not a key of [lattice]; did you mean \"dx\"? Allowed: dx, "
-      "from, to, mach, time_step, collision, magic, precision, shift.");
+      "from, to, mach, time_step, collision, magic, precision, shift, periodic.");
   EXPECT_EQ(refused("[fluid]", "[fluids]").substr(0, 76),
             "scene.toml:7: fluids is not a key of the scene; did you mean \"fluid\"? Allowe");
 }
@@ -27,7 +27,7 @@ TEST(BadInput, KeyOfAnotherKindSaysWhichKeysThisKindHas)
 {
   EXPECT_EQ(refused("pressure = \"50 kPa\"", "velocity = \"1 m/s\""),
             "scene.toml:19: inlet.velocity is not a key of [inlet] with kind = \"traction\". "
-            "Allowed: kind, pressure, patches.");
+            "Allowed: kind, pressure, patches, profile.");
 }
 
 TEST(BadInput, MissingKeySaysWhatItMustBe)
@@ -59,7 +59,7 @@ TEST(BadInput, WrongWordHasNearestAndAllowedWords)
 {
   EXPECT_EQ(refused("kind = \"traction\"", "kind = \"tracton\""),
             "scene.toml:18: inlet.kind cannot be the text \"tracton\"; did you mean \"traction\"? "
-            "Allowed: traction, pressure, velocity, flow_rate, outflow.");
+            "Allowed: traction, pressure, velocity, flow_rate, outflow, moving_wall.");
 }
 
 TEST(BadInput, NegativeOrZeroCellIsRefused)

@@ -60,9 +60,9 @@ TEST_F(ProgramOnBadInput, MisuseOfTheCommandLine)
   EXPECT_EQ(velum_program("info --threads 0").exit_code, 2);
   auto const outcome = velum_program("chek " + scene);
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(
-      outcome.text,
-      "chek is not a command of velum; did you mean \"check\"? Commands: run, check, stl, info.\n");
+  EXPECT_EQ(outcome.text,
+            "chek is not a command of velum; did you mean \"check\"? Commands: run, check, stl, "
+            "chart, limits, info.\n");
 }
 
 TEST_F(ProgramOnBadInput, GoodUseExitsWithZeroAndWithoutNoiseFromKokkos)

@@ -1,0 +1,35 @@
+#include "cases/app/fluid_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/check.hpp"
+
+namespace velum::cases {
+
+void guard_fluid(Derived const& d, lbm::Observation const& seen, long step)
+{
+  bool const lost = seen.not_finite > 0;
+  double const mach = seen.speed_max * std::numbers::sqrt3;
+  double const density = std::max(std::abs(seen.rho_min), std::abs(seen.rho_max));
+  if (!lost && mach < 1 && density < 0.5) return;
+  std::string const what =
+      lost        ? fmt::format("the fluid is no longer finite in {} cells", seen.not_finite)
+      : mach >= 1 ? fmt::format("the fluid moves at Mach {:.2f}", mach)
+                  : fmt::format("the density is off by {:.0f} %", 100 * density);
+  std::string const cause =
+      d.mach > 0.3
+          ? fmt::format("lattice.mach is too large (the flow was to reach {:.2g})", d.mach)
+          : fmt::format("tau - 1/2 = {:.2g} is too small for this collision", d.tau_minus_half);
+  Vec2 const at = core::position(d.grid, seen.worst_i, seen.worst_j);
+  throw core::Divergence(fmt::format(
+      "Diverged at step {} (t = {:.4g} s): {}, worst in cell ({}, {}) at ({:.4g}, {:.4g}) mm. "
+      "Likely cause: {}.",
+      step, core::to_si_time(d.units, double(step)), what, seen.worst_i, seen.worst_j, 1e3 * at[0],
+      1e3 * at[1], cause));
+}
+
+}  // namespace velum::cases

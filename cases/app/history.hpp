@@ -1,0 +1,28 @@
+#pragma once
+#include "core/output/series.hpp"
+
+#include <string>
+#include <vector>
+
+namespace velum::cases {
+
+/// The rows of a run's series, SI.
+struct History {
+  std::vector<core::Column> columns;
+  std::vector<double> time;
+  std::vector<std::vector<double>> rows;  // [time][column]
+
+  /// One column over time.
+  /// @pre it exists
+  std::vector<double> column(std::string const& name) const
+  {
+    std::size_t k = 0;
+    while (columns[k].name != name) ++k;
+    std::vector<double> values;
+    values.reserve(rows.size());
+    for (auto const& row : rows) values.push_back(row[k]);
+    return values;
+  }
+};
+
+}  // namespace velum::cases

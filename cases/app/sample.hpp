@@ -1,0 +1,24 @@
+#pragma once
+#include "core/grid.hpp"
+#include "lbm/fluid.hpp"
+#include "lbm/walls.hpp"
+
+namespace velum::cases {
+
+using CellStates = Kokkos::View<lbm::CellState**, Kokkos::HostSpace>;
+
+/// What is needed to read a flow between its cells.
+struct Sampled {
+  core::Grid const& grid;
+  lbm::Walls const& walls;
+  CellStates cells;  // [ny][nx]
+  bool periodic_x, periodic_y;
+};
+
+/// Density less 1 and velocity at a place, lattice units; third order in the size of the cells.
+/// Among fluid alone the parabolas through three by three cells; where a wall is near, or the place
+/// is on it, the parabola that fits the fluid cells within three cells best.
+/// @param p  metres, in the domain
+lbm::CellState state_at(Sampled const& flow, core::Vec2 const& p);
+
+}  // namespace velum::cases

@@ -1,0 +1,39 @@
+#include "lbm/wall_force.hpp"
+
+#include "lbm/lattice/d3q19.hpp"
+#include "lbm/lattice/d3q27.hpp"
+
+namespace velum::lbm {
+
+template <class Real, class L, class Stored>
+core::Vec3 wall_force(Fluid<Real, L, Stored> const& fluid, LinkList const& list)
+{
+  Fluid<Real, L, Stored> const from = fluid;
+  auto const links = list.links;
+  core::Vec3 force;
+  Kokkos::parallel_reduce(
+      "velum::lbm::wall_force", list.size,
+      KOKKOS_LAMBDA(int n, double& fx, double& fy, double& fz) {
+        Link const l = links(n);
+        auto const heard = echo(from.f, from.cell(l.i, l.j, l.k), l);
+        double const exchanged = link_ring<L>(from.symmetry, from.origin[1] + l.j + 0.5, l.dir) *
+                                 (double(heard.out) + double(heard.back));
+        fx += L::c(l.dir, 0) * exchanged;
+        fy += L::c(l.dir, 1) * exchanged;
+        if constexpr (L::D == 3) fz += L::c(l.dir, 2) * exchanged;
+      },
+      force[0], force[1], force[2]);
+  return force;
+}
+
+template core::Vec3 wall_force(Fluid<double, D2Q9, double> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<float, D2Q9, float> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<float, D2Q9, std::int16_t> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<double, D3Q19, double> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<float, D3Q19, float> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<float, D3Q19, std::int16_t> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<double, D3Q27, double> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<float, D3Q27, float> const&, LinkList const&);
+template core::Vec3 wall_force(Fluid<float, D3Q27, std::int16_t> const&, LinkList const&);
+
+}  // namespace velum::lbm
