@@ -26,13 +26,13 @@ def pareto(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 def draw_panel(axes, scene: str, rows: list[dict[str, str]], colours: dict[str, str]) -> None:
     done = [row for row in rows if row["outcome"] == "ok"]
-    lines = defaultdict(list)
+    lines = defaultdict(list)  # from the coarsest cells to the finest, as the rows come
     for row in done:
         lines[row["collision"], row["precision"]].append(
             (float(row["wall_time [s]"]), float(row["error"])))
     for (collision, precision), points in lines.items():
         single = precision != "double"
-        axes.loglog(*zip(*sorted(points)), color=colours[collision], linewidth=1,
+        axes.loglog(*zip(*points), color=colours[collision], linewidth=1,
                     marker=MARKERS.get(precision, "^"), markersize=4,
                     markerfacecolor="white" if single else colours[collision],
                     linestyle="--" if single else "-", label=f"{collision}, {precision}")
