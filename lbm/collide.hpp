@@ -46,13 +46,12 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
 
   Site<Real, D> s{in.rho(), {}, F, 0, rule.shear_rate()};
   Real n = 1 + s.rho;
-  {
-    Real const v = 1 / n;
-    core::static_for<D>([&](auto a)
-                            __attribute__((always_inline)) { s.u[a] = v * (in.j(a) + F[a] / 2); });
-  }
+  Real const volume = 1 / n;
+  core::static_for<D>([&](auto a) __attribute__((always_inline)) {
+    s.u[a] = volume * (in.j(a) + F[a] / 2);
+  });
   if constexpr (Eddy)
-    s.shear = smagorinsky_rate(s.shear, deviator_magnitude(in, n, s.u), s.rho,
+    s.shear = smagorinsky_rate(s.shear, deviator_magnitude(in, n, s.u), volume,
                                around.smagorinsky_squared);
   Real const bulk = rule.bulk_rate(s.shear);
   Real const off_axis = Axisymmetric ? 1 / (1 + 4 * inv_y * inv_y) : Real(1);

@@ -79,10 +79,12 @@ struct Populations {
   KOKKOS_FORCEINLINE_FUNCTION static Stored to_stored(Real value, Real inverse_scale)
   {
     if constexpr (fixed_point) {
+      using std::rint;
+      constexpr Real most = largest;
       Real x = inverse_scale * value;
-      x = x > Real(largest) ? Real(largest) : x;  // the guard finds what reaches the limit
-      x = x < Real(-largest) ? Real(-largest) : x;
-      return Stored(std::int32_t(x + (x < 0 ? Real(-0.5) : Real(0.5))));
+      x = x < most ? x : most;  // the guard finds what reaches the limit
+      x = x > -most ? x : -most;
+      return Stored(std::int32_t(rint(x)));
     }
     return Stored(value);
   }

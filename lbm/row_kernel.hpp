@@ -17,21 +17,20 @@ using Space = Kokkos::DefaultExecutionSpace;
 constexpr bool on_host =
     Kokkos::SpaceAccessibility<Kokkos::HostSpace, Space::memory_space>::accessible;
 
-/// Cells between prefetches, and how far ahead of the work they go: beyond the caches the slots of
-/// all directions are as many streams of memory, more than the processor follows by itself.
-constexpr int prefetch_every = 64;
-constexpr int prefetch_ahead = 1024;  // bytes
+/// How far ahead of the work, in bytes, cells are prefetched, a vector at a time: beyond the caches
+/// the slots of all directions are as many streams of memory, more than a processor follows by
+/// itself.
+constexpr int prefetch_ahead = 512;
 
 constexpr int team_size = 128;  // threads that share a span on a GPU
 
 /// What the kernel may have beside the populations.
 enum class With { nothing, eddy, eddy_and_force };
 
-/// Slots that a span reads and writes: population i arrives in in[i] and leaves to out[i].
+/// Slots of a span: population i arrives in slot[i], and in place of it leaves the opposite one.
 template <class Real, class L, class Stored, With with>
 struct Row {
-  Stored* in[L::Q];
-  Stored* out[L::Q];
+  Stored* slot[L::Q];
   Real unpack[L::Q], pack[L::Q];  // of 16-bit storage
   Real const* force[L::D];
   float const* eddy;
@@ -41,11 +40,7 @@ struct Row {
     auto const& f = fluid.f;
     core::static_for<L::Q>([&](auto direction) __attribute__((always_inline)) {
       constexpr int i = direction, o = L::opposite(direction);
-      int const shift = f.shift(i);
-      Stored* const straight = &f.slots(i, cell);
-      Stored* const reverse = &f.slots(o, cell);
-      in[i] = f.turned ? reverse - shift : straight;
-      out[i] = f.turned ? straight + shift : reverse;
+      slot[i] = f.turned ? &f.slots(o, cell) - f.shift(i) : &f.slots(i, cell);
       unpack[i] = f.unpack_scale(i);
       pack[i] = 1 / unpack[i];
     });
@@ -63,7 +58,7 @@ KOKKOS_FORCEINLINE_FUNCTION void update_cell(Row<Real, L, Stored, with> const& r
   using P = Populations<Real, L, Stored>;
   Real f[L::Q];
   core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
-    f[i] = P::from_stored(row.in[i][x], row.unpack[i]);
+    f[i] = P::from_stored(row.slot[i][x], row.unpack[i]);
   });
   if constexpr (with == With::eddy_and_force)
     core::static_for<L::D>([&](auto a) __attribute__((always_inline)) {
@@ -72,7 +67,7 @@ KOKKOS_FORCEINLINE_FUNCTION void update_cell(Row<Real, L, Stored, with> const& r
   if constexpr (with != With::nothing) around.smagorinsky_squared *= Real(row.eddy[x]);
   collide<L, Axisymmetric, with != With::nothing>(f, rule, around);
   core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
-    row.out[i][x] = P::to_stored(f[i], row.pack[i]);
+    row.slot[L::opposite(i)][x] = P::to_stored(f[i], row.pack[i]);
   });
 }
 
@@ -80,23 +75,27 @@ template <class L, class Row>
 KOKKOS_FORCEINLINE_FUNCTION void prefetch(Row const& row, int x)
 {
   core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
-    auto const* p = reinterpret_cast<char const*>(row.in[i] + x) + prefetch_ahead;
-    constexpr int bytes = prefetch_every * int(sizeof(*row.in[0]));
+    auto const* p = reinterpret_cast<char const*>(row.slot[i] + x) + prefetch_ahead;
+    constexpr int bytes = vector_cells * int(sizeof(*row.slot[0]));
     for (int line = 0; line < bytes; line += 64) __builtin_prefetch(p + line, 1, 3);
   });
 }
 
-/// The cells from x = from up to to. Everything is inlined (flatten), and what comes by reference
-/// is copied to the stack: calls, and what a store might alias, keep a loop from being vectorised.
+/// A span, vector by vector. Everything is inlined (flatten), and what comes by reference is copied
+/// to the stack: calls, and what a store might alias, keep a loop from being vectorised.
 template <bool Axisymmetric, With with, class Real, class L, class Stored, class Rule>
-[[gnu::flatten]] void update_cells(Row<Real, L, Stored, with> const& row, int from, int to,
-                                   Rule const& rule, Surroundings<Real, L::D> const& around)
+[[gnu::flatten]] inline void update_span(Row<Real, L, Stored, with> const& row, int length,
+                                         bool ahead, Rule const& rule,
+                                         Surroundings<Real, L::D> const& around)
 {
   Row<Real, L, Stored, with> const r = row;
   Rule const k = rule;
   Surroundings<Real, L::D> const a = around;
+  for (int from = 0; from < length; from += vector_cells) {
+    if (ahead) prefetch<L>(r, from);
 #pragma GCC ivdep
-  for (int x = from; x < to; ++x) update_cell<Axisymmetric, with>(r, x, k, a);
+    for (int x = from; x < from + vector_cells; ++x) update_cell<Axisymmetric, with>(r, x, k, a);
+  }
 }
 
 /// One thread takes a span; the loop over it is vectorised.
@@ -108,18 +107,14 @@ void update_on_host(Fluid<Real, L, Stored> const& fluid, Rule const& rule,
   double const y0 = fluid.origin[1];
   // beyond the caches only: within them prefetching costs a little and brings nothing
   bool const ahead = fluid.f.slots.size() * sizeof(Stored) > (32u << 20);
-  Kokkos::parallel_for(
-      "velum::lbm::update_spans", Kokkos::RangePolicy<Space>(0, spans.extent(0)), [=](int s) {
-        Span const span = spans(s);
-        Row<Real, L, Stored, with> const row(fluid, span.cell);
-        Surroundings<Real, L::D> around = constant;
-        around.inv_y = Axisymmetric ? Real(1 / (y0 + span.row + 0.5)) : Real(0);
-        for (int from = 0; from < span.length; from += prefetch_every) {
-          int const to = from + prefetch_every < span.length ? from + prefetch_every : span.length;
-          if (ahead) prefetch<L>(row, from);
-          update_cells<Axisymmetric>(row, from, to, rule, around);
-        }
-      });
+  Kokkos::parallel_for("velum::lbm::update_spans", Kokkos::RangePolicy<Space>(0, spans.extent(0)),
+                       [=](int s) {
+                         Span const span = spans(s);
+                         Row<Real, L, Stored, with> const row(fluid, span.cell);
+                         Surroundings<Real, L::D> around = constant;
+                         around.inv_y = Axisymmetric ? Real(1 / (y0 + span.row + 0.5)) : Real(0);
+                         update_span<Axisymmetric>(row, span.length, ahead, rule, around);
+                       });
 }
 
 /// A team of threads takes a span, each thread a cell: neighbours read neighbouring addresses.

@@ -32,14 +32,15 @@ KOKKOS_FORCEINLINE_FUNCTION Real deviator_magnitude(Moments<L, Real> const& m, R
 /// non-equilibrium deviator:
 ///   tau = (tau0 + sqrt(tau0^2 + 18 C^2 |Pi| / rho)) / 2,  |Pi| = sqrt(2 Pi:Pi).
 /// Hou, Sterling, Chen & Doolen, Fields Inst. Commun. 6 (1996) 151.
+/// @param volume            1 / rho
 /// @param constant_squared  C^2; zero leaves omega
 template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION Real smagorinsky_rate(Real omega, Real magnitude, Real rho,
+KOKKOS_FORCEINLINE_FUNCTION Real smagorinsky_rate(Real omega, Real magnitude, Real volume,
                                                   Real constant_squared)
 {
   using std::sqrt;
   Real const tau = 1 / omega;
-  return 2 / (tau + sqrt(tau * tau + 18 * constant_squared * magnitude / (1 + rho)));
+  return 2 / (tau + sqrt(tau * tau + 18 * constant_squared * magnitude * volume));
 }
 
 }  // namespace velum::lbm

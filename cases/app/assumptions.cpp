@@ -27,7 +27,7 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
         fmt::format("{}, tau - 1/2 = {:.3g}, {} precision", word(scene.lattice.collision),
                     d.tau_minus_half, word(scene.lattice.precision));
     a["les"] = smagorinsky > 0
-                   ? fmt::format("Smagorinsky, constant {:.3g}, everywhere", smagorinsky)
+                   ? fmt::format("Smagorinsky, constant {:.3g}, but for the two cells next to walls", smagorinsky)
                    : std::string("off");
     if (scene.membrane)
       a["gap"] =

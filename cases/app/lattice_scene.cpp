@@ -4,6 +4,7 @@
 
 #include "cases/app/geometry.hpp"
 #include "cases/app/velocity_profile.hpp"
+#include "lbm/eddy_share.hpp"
 
 namespace velum::cases {
 
@@ -155,6 +156,7 @@ LatticeScene<Real> make_lattice_scene(Scene const& scene, double smagorinsky)
                            p));
   for (std::size_t k = 0; k < s.walls.hits.size(); ++k)
     if (!taken[k]) s.wall_hits.push_back(s.walls.hits[k]);
+  if (smagorinsky > 0) lbm::spare_walls(s.fluid, s.wall_hits);
   return s;
 }
 

@@ -103,6 +103,21 @@ void add_limits(CLI::App& app, Options& options)
   add_common(*limits, options);
 }
 
+void add_bench(CLI::App& app, Options& options)
+{
+  auto* bench = app.add_subcommand(
+      "bench", "Speed of the lattice step per lattice, collision and storage, beside the memory's");
+  bench
+      ->add_option("--cells", options.cells,
+                   "Cells along each side in space (128); in the plane "
+                   "as many cells in all")
+      ->check(CLI::Range(16, 512))
+      ->type_name("N");
+  bench->add_flag("--quick", options.quick, "Central moments only");
+  bench->add_flag("--json", options.json, "For machines");
+  add_common(*bench, options);
+}
+
 Command parsed(CLI::App const& app)
 {
   std::string const name = app.get_subcommands().front()->get_name();
@@ -111,6 +126,7 @@ Command parsed(CLI::App const& app)
          : name == "stl"    ? Command::stl
          : name == "chart"  ? Command::chart
          : name == "limits" ? Command::limits
+         : name == "bench"  ? Command::bench
                             : Command::info;
 }
 
@@ -151,11 +167,13 @@ CommandLine read_command_line(int argc, char const* const* argv)
   add_common(*stl, options);
   add_chart(app, options);
   add_limits(app, options);
+  add_bench(app, options);
 
   auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
   add_common(*info, options);
 
-  std::vector<std::string> const commands{"run", "check", "stl", "chart", "limits", "info"};
+  std::vector<std::string> const commands{"run",    "check", "stl", "chart",
+                                          "limits", "bench", "info"};
   if (argc > 1 && argv[1][0] != '-' &&
       std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     std::string const near = core::nearest(argv[1], commands);

@@ -6,7 +6,7 @@
 
 namespace velum::cases {
 
-enum class Command { run, check, stl, chart, limits, info };
+enum class Command { run, check, stl, chart, limits, bench, info };
 
 /// What the command line asks for.
 struct Options {
@@ -21,6 +21,7 @@ struct Options {
   std::filesystem::path stl;                  // the STL file,
   std::string unit, dx, cut;  // its unit, the cells it is looked at with, "x=0.5 mm" or empty
   int threads = 0;            // 0: all
+  bool json = false;          // of bench
   bool quiet = false;
   std::vector<std::string> kokkos;  // --kokkos-* arguments as they are
 };

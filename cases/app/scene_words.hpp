@@ -22,6 +22,7 @@ inline Words<Collision> words(Collision)
 {
   return {{"bgk", Collision::bgk},
           {"trt", Collision::trt},
+          {"recursive_regularised", Collision::recursive_regularised},
           {"central_moments", Collision::central_moments}};
 }
 inline Words<Precision> words(Precision)

@@ -29,7 +29,7 @@ TEST(Chart, HasARowForEveryWayAndMarksTheDefault)
       out.path.string());
   ASSERT_EQ(run.exit_code, 0) << run.text;
   auto const table = read(out.path / "chart.csv");
-  EXPECT_EQ(lines(table), 1 + 2 * 3 * 2) << table;
+  EXPECT_EQ(lines(table), 1 + 2 * 4 * 2) << table;
   EXPECT_NE(run.text.find("(default)"), std::string::npos) << run.text;
   EXPECT_NE(table.find("taylor_green,0.0625,central_moments,double,"), std::string::npos) << table;
 }
@@ -76,7 +76,7 @@ TEST(Limits, FindsALimitAndWritesIt)
       velum_program("limits shear_layer --quick --cells 16 --threads 1 --out " + out.path.string());
   ASSERT_EQ(run.exit_code, 0) << run.text;
   auto const table = read(out.path / "limits.csv");
-  EXPECT_EQ(lines(table), 1 + 3 * 2 * 2) << table;
+  EXPECT_EQ(lines(table), 1 + 4 * 2 * 2) << table;
   EXPECT_NE(table.find("Diverged at step"), std::string::npos) << table;
 }
 

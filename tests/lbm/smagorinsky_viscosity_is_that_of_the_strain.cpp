@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "lbm/eddy_share.hpp"
 #include "lbm/observe.hpp"
 #include "lbm/smagorinsky.hpp"
 #include "tests/support/flow.hpp"
@@ -68,9 +69,31 @@ TEST(Smagorinsky, LeavesTheMolecularViscosityWithoutStrain)
 {
   for (double nu : {1e-4, 0.1, 1.0}) {
     double const omega = 1 / (3 * nu + 0.5);
-    double const rate = lbm::smagorinsky_rate(omega, 0.0, 0.02, 0.01);
+    double const rate = lbm::smagorinsky_rate(omega, 0.0, 1 / 1.02, 0.01);
     EXPECT_NEAR((1 / rate - 0.5) / 3 / nu, 1, 1e-12);
   }
+}
+
+// Every cell of a channel four cells wide is next to a wall or next to such a cell.
+TEST(Smagorinsky, SparesTheFlowThroughAGap)
+{
+  auto const flow_rate = [](double constant, bool spared) {
+    lbm::Model model{lbm::Collision::central_moments, 0.005, 1.0 / 8, constant};
+    model.periodic_x = true;
+    model.body_force = {4e-5, 0};
+    auto flow =
+        tests::make_flow(lbm::make_fluid<double>(4, 4, {0, 0}, core::Symmetry::planar, model),
+                         tests::no_solids(), [](lbm::WallHit const&) { return -1; });
+    if (spared) lbm::spare_walls(flow.fluid, flow.walls.hits);
+    for (int t = 0; t < 20000; ++t) tests::step(flow);
+    auto const now = lbm::cell_states(flow.fluid);
+    double sum = 0;
+    for (int j = 0; j < 4; ++j) sum += now(j, 1).ux;
+    return sum;
+  };
+  double const laminar = flow_rate(0, false);
+  EXPECT_NEAR(flow_rate(0.3, true) / laminar, 1, 1e-10);
+  EXPECT_LT(flow_rate(0.3, false) / laminar, 0.95);
 }
 
 TEST(Smagorinsky, IsNotThereWhenOff)

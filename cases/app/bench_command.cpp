@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cases/app/bandwidth.hpp"
+#include "cases/app/commands.hpp"
+#include "cases/app/scene_words.hpp"
+#include "lbm/lattice/d3q19.hpp"
+#include "lbm/lattice/d3q27.hpp"
+#include "lbm/stream_and_collide.hpp"
+
+namespace velum::cases {
+namespace {
+
+struct Row {
+  std::string lattice, collision, precision;
+  bool les;
+  long cells;
+  int bytes_per_update;
+  double mlups, roofline;  // share of what the bandwidth in place allows
+};
+
+template <class Real, class L, class Stored>
+Row measure(std::string const& name, lbm::Collision collision, bool les, int n, double bandwidth)
+{
+  lbm::Model const model{collision, 1e-3, 0.125, les ? 0.1 : 0};
+  auto fluid =
+      lbm::make_fluid<Real, L, Stored>(n, n, {}, core::Symmetry::planar, model, L::D == 3 ? n : 1);
+  auto const two_steps = [&] {  // a step in place is one of a pair
+    lbm::stream_and_collide(fluid);
+    lbm::stream_and_collide(fluid);
+    Kokkos::fence();
+  };
+  two_steps();
+  Kokkos::Timer clock;
+  int steps = 0;
+  for (; clock.seconds() < 0.3; steps += 2) two_steps();
+  double const mlups = 1e-6 * steps * double(fluid.cells()) / clock.seconds();
+  int const bytes = 2 * L::Q * int(sizeof(Stored));
+  std::string const precision = std::is_integral_v<Stored> ? "half"
+                                : sizeof(Real) == 4        ? "single"
+                                                           : "double";
+  return {fmt::format("d{}q{}", L::D, L::Q), name, precision, les, fluid.cells(), bytes, mlups,
+          1e6 * mlups * bytes / bandwidth};
+}
+
+std::string json(Row const& r)
+{
+  return fmt::format(
+      R"({{"lattice": "{}", "collision": "{}", "precision": "{}", "les": {}, "cells": {}, )"
+      R"("bytes_per_update": {}, "mlups": {:.1f}, "share_of_bandwidth": {:.3f}}})",
+      r.lattice, r.collision, r.precision, r.les, r.cells, r.bytes_per_update, r.mlups, r.roofline);
+}
+
+std::string line(Row const& r)
+{
+  return fmt::format("{:7} {:22} {:7} {:4} {:>10} {:>6} {:>9.1f} {:>7.0f} %", r.lattice,
+                     r.collision, r.precision, r.les ? "on" : "off", r.cells, r.bytes_per_update,
+                     r.mlups, 100 * r.roofline);
+}
+
+}  // namespace
+
+void bench_command(Options const& options)
+{
+  int const n = options.cells > 0 ? options.cells : 128;
+  int const plane = static_cast<int>(std::lround(std::pow(n, 1.5)));
+  auto const memory = measure_bandwidth(std::size_t(n) * n * n * 19 * sizeof(float));
+  if (options.json)
+    fmt::print(
+        "{{\"threads\": {},\n \"bandwidth\": {{\"in_place\": {:.4g}, \"copy\": {:.4g}, "
+        "\"triad\": {:.4g}, \"unit\": \"B/s\"}},\n \"runs\": [",
+        Kokkos::DefaultExecutionSpace().concurrency(), memory.in_place, memory.copy, memory.triad);
+  else
+    fmt::print(
+        "{} threads; memory moves {:.1f} GB/s in place, {:.1f} copying, {:.1f} as triad\n"
+        "lattice collision              storage LES       cells  B/upd     MLUPS  of in place\n",
+        Kokkos::DefaultExecutionSpace().concurrency(), memory.in_place / 1e9, memory.copy / 1e9,
+        memory.triad / 1e9);
+  bool first = true;
+  auto const show = [&](Row const& r) {
+    if (options.json)
+      fmt::print("{}\n  {}", first ? "" : ",", json(r));
+    else
+      fmt::print("{}\n", line(r));
+    std::fflush(stdout);
+    first = false;
+  };
+  auto const sweep = [&]<class Real, class L, class Stored>(int side) {
+    auto rules = words(lbm::Collision{});  // of a scene; space has one more
+    if (L::Q == 27) rules.push_back({"cumulant", lbm::Collision::cumulant});
+    for (auto const& [name, collision] : rules) {
+      if (options.quick && collision != lbm::Collision::central_moments) continue;
+      for (bool les : {false, true})
+        show(measure<Real, L, Stored>(name, collision, les, side, memory.in_place));
+    }
+  };
+  auto const lattice = [&]<class L>(int side) {
+    sweep.template operator()<double, L, double>(side);
+    sweep.template operator()<float, L, float>(side);
+    sweep.template operator()<float, L, std::int16_t>(side);
+  };
+  lattice.template operator()<lbm::D2Q9>(plane);
+  lattice.template operator()<lbm::D3Q19>(n);
+  lattice.template operator()<lbm::D3Q27>(n);
+  if (options.json) fmt::print("\n ]}}\n");
+}
+
+}  // namespace velum::cases
