@@ -1,3 +1,4 @@
+#include "core/static_for.hpp"
 #include "lbm/lattice/d3q19.hpp"
 #include "lbm/lattice/d3q27.hpp"
 #include "lbm/stream_and_collide.hpp"
@@ -22,6 +23,21 @@ KOKKOS_INLINE_FUNCTION Source source(int at, int size, bool periodic, bool low_m
   return {at < 0 ? 0 : size - 1, image, !image};
 }
 
+/// Images of a direction in the planes across any of the axes: bit a of the place for axis a.
+template <class L>
+struct Images {
+  int of[8];
+
+  constexpr explicit Images(int d) : of{}
+  {
+    for (int planes = 0; planes < 8; ++planes) {
+      of[planes] = d;
+      for (int a = 0; a < L::D; ++a)
+        if (planes >> a & 1) of[planes] = mirrored<L>(of[planes], a);
+    }
+  }
+};
+
 }  // namespace
 
 template <class Real, class L, class Stored>
@@ -43,31 +59,33 @@ void fill_ghosts(Fluid<Real, L, Stored>& fluid)
   for (int axis = 0; axis < L::D; ++axis) {
     if (!any[axis]) continue;
     // the two layers of cells along this axis; cells of several layers are written more than once,
-    // each time the same
+    // each time the same, and a layer of a box one cell thick is both
     int const across = axis == 0 ? n1 * n2 : axis == 1 ? n0 * n2 : n0 * n1;
-    int const last = size[axis] - 1;
+    int const last = size[axis] - 1, size_along = size[axis];
     Kokkos::parallel_for(
         "velum::lbm::fill_ghosts", 2 * across, KOKKOS_LAMBDA(int n) {
           int const layer = n < across ? 0 : last, m = n % across;
           int const i = axis == 0 ? layer : m % n0;
           int const j = axis == 1 ? layer : axis == 0 ? m % n1 : m / n0;
           int const k = axis == 2 ? layer : axis == 0 ? m / n1 : m / n0;
-          int const cell = to.cell(i, j, axis == 1 ? m / n0 : k);
           int const z = axis == 1 ? m / n0 : k;
-          for (int d = 1; d < L::Q; ++d) {
-            Source const x = source(i - L::c(d, 0), n0, p0, l0, h0);
-            Source const y = source(j - L::c(d, 1), n1, p1, l1, h1);
-            Source const w =
-                L::D == 3 ? source(z - L::c(d, L::D - 1), n2, p2, l2, h2) : Source{0, false, false};
-            bool const inside = x.at == i - L::c(d, 0) && y.at == j - L::c(d, 1) &&
-                                (L::D == 2 || w.at == z - L::c(d, L::D - 1));
-            if (inside || x.wall || y.wall || w.wall) continue;
-            int from = d;
-            if (x.image) from = mirrored<L>(from, 0);
-            if (y.image) from = mirrored<L>(from, 1);
-            if (w.image) from = mirrored<L>(from, 2);
+          int const cell = to.cell(i, j, z);
+          bool const single = size_along == 1;
+          core::static_for<L::Q>([&](auto direction) __attribute__((always_inline)) {
+            constexpr int d = direction;
+            constexpr int cx = L::c(d, 0), cy = L::c(d, 1), cz = L::D == 3 ? L::c(d, L::D - 1) : 0;
+            int const inwards = axis == 0 ? cx : axis == 1 ? cy : cz;
+            // only what comes in through this side
+            if (inwards == 0 || (!single && inwards != (n < across ? 1 : -1))) return;
+            Source const x = source(i - cx, n0, p0, l0, h0);
+            Source const y = source(j - cy, n1, p1, l1, h1);
+            Source const w = source(z - cz, n2, p2, l2, h2);
+            if (x.wall || y.wall || w.wall) return;
+            if (x.at == i - cx && y.at == j - cy && w.at == z - cz) return;
+            constexpr Images<L> images(d);
+            int const from = images.of[(x.image ? 1 : 0) + (y.image ? 2 : 0) + (w.image ? 4 : 0)];
             to.f.set_arriving(d, cell, to.f.outgoing(from, to.cell(x.at, y.at, w.at)));
-          }
+          });
         });
   }
 }

@@ -9,13 +9,21 @@ namespace velum::lbm {
 struct D3Q19 {
   static constexpr int D = 3, Q = 19;
 
-  KOKKOS_FUNCTION static constexpr int c(int i, int a)
+  /// Component a of direction i, to read; c() is the same, to compute with.
+  static constexpr int component(int i, int a)
   {
     constexpr int t[Q][D] = {{0, 0, 0},  {1, 0, 0},   {-1, 0, 0},  {0, 1, 0},   {0, -1, 0},
                              {0, 0, 1},  {0, 0, -1},  {1, 1, 0},   {-1, -1, 0}, {1, -1, 0},
                              {-1, 1, 0}, {1, 0, 1},   {-1, 0, -1}, {1, 0, -1},  {-1, 0, 1},
                              {0, 1, 1},  {0, -1, -1}, {0, 1, -1},  {0, -1, 1}};
     return t[i][a];
+  }
+  KOKKOS_FUNCTION static constexpr int c(int i, int a)
+  {
+    constexpr auto x = packed(Q, [](int k) { return component(k, 0); });
+    constexpr auto y = packed(Q, [](int k) { return component(k, 1); });
+    constexpr auto z = packed(Q, [](int k) { return component(k, 2); });
+    return int((a == 0 ? x : a == 1 ? y : z) >> (2 * i) & 3) - 1;
   }
   KOKKOS_FUNCTION static constexpr double w(int i)
   {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Kokkos_Core.hpp>
+#include <cstdint>
 
 namespace velum::lbm {
 
@@ -18,6 +19,16 @@ struct Powers {
     return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
   }
 };
+
+/// n numbers of -1, 0 or 1 in two bits each: a direction known only at run time is then looked up
+/// in a register, where a table would be built on the stack at every call.
+template <class Number>
+constexpr std::uint64_t packed(int n, Number number)
+{
+  std::uint64_t bits = 0;
+  for (int i = 0; i < n; ++i) bits |= std::uint64_t(number(i) + 1) << (2 * i);
+  return bits;
+}
 
 /// The first power along one direction.
 KOKKOS_FUNCTION constexpr Powers unit(int a)
