@@ -1,13 +1,15 @@
-// problem:   uniform flow past a sphere of diameter D = 12 cells at Re = U D / nu = 100, a quarter
-// of
+// problem:   uniform flow past a sphere of diameter D = 8 and 16 cells at Re = U D / nu = 100, a
+// quarter of
 //            it between two planes of symmetry; the box is 12 D long, 5 D in both half-widths, its
 //            other sides planes of symmetry too; velocity inlet 4 D before the sphere, outflow
 // reference: drag coefficient 1.087 (Johnson & Patel, J. Fluid Mech. 378 (1999) 19; the standard
 //            curve of Clift, Grace & Weber 1978 gives 1.09)
-// measure:   2 F / (rho U^2 pi D^2/4), F by momentum exchange, after 15 D/U
-// tolerance: 6 %
-// why:       the box speeds the flow up by its blockage, pi/4 / 100 of the section, and holds the
-//            wake 1.5 % too fast; 12 cells across leave 2 to 3 %
+// measure:   2 F / (rho U^2 pi D^2/4), F by momentum exchange, after 15 D/U, on D3Q19; its
+//            extrapolation over the two grids at second order
+// tolerance: 4 % of the extrapolated drag; the finer grid nearer than the coarser
+// why:       the boundary layer, D / sqrt(Re), is a cell and a half at best, so each grid is some
+//            percent off; the box speeds the flow up by its blockage, 0.8 % of the section, and its
+//            inlet is near: together 2 to 3 % in the drag
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,9 +25,9 @@ namespace velum {
 namespace {
 
 template <class Real, class L>
-double drag_coefficient(lbm::Collision collision)
+double drag_coefficient(lbm::Collision collision, int D)
 {
-  int const D = 12, nx = 12 * D, n = 5 * D;
+  int const nx = 12 * D, n = 5 * D;
   double const U = 0.05, nu = U * D / 100, pi = std::acos(-1.0);
   lbm::Model model{collision, nu, 1.0 / 8};
   for (int axis : {1, 2})
@@ -68,13 +70,12 @@ double drag_coefficient(lbm::Collision collision)
 TEST(LongSphere, HasTheKnownDragAtReynolds100)
 {
   auto const c = lbm::Collision::central_moments;
-  double const d3q19 = drag_coefficient<float, lbm::D3Q19>(c);
-  double const d3q27 = drag_coefficient<float, lbm::D3Q27>(c);
-  RecordProperty("d3q19", std::to_string(d3q19));
-  RecordProperty("d3q27", std::to_string(d3q27));
-  std::printf("drag coefficient: D3Q19 %.4f, D3Q27 %.4f\n", d3q19, d3q27);
-  EXPECT_NEAR(d3q19 / 1.087, 1, 0.06);
-  EXPECT_NEAR(d3q27 / 1.087, 1, 0.06);
+  double const coarse = drag_coefficient<float, lbm::D3Q19>(c, 8);
+  double const fine = drag_coefficient<float, lbm::D3Q19>(c, 16);
+  double const drag = (4 * fine - coarse) / 3;
+  std::printf("drag coefficient: %.4f and %.4f, extrapolated %.4f\n", coarse, fine, drag);
+  EXPECT_LT(std::abs(fine - 1.087), std::abs(coarse - 1.087));
+  EXPECT_NEAR(drag / 1.087, 1, 0.04);
 }
 
 }  // namespace
