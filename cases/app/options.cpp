@@ -21,7 +21,7 @@ void add_common(CLI::App& command, Options& options)
   command.add_option("--threads", options.threads, "Number of threads (all of the machine's)")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  command.add_flag("--quiet", options.quiet, "No live line; only results, warnings and errors");
+  command.add_flag("--quiet", options.quiet, "No live line, no report: warnings and errors only");
   command.footer(std::string("--kokkos-* options pass through to Kokkos.\n") + exit_codes);
 }
 
