@@ -53,11 +53,8 @@ using CellMask = Kokkos::View<std::uint8_t*>;
 /// @tparam Stored  of the populations in memory
 template <class Real, class L = D2Q9, class Stored = Real>
 struct Fluid {
-  using Lattice = L;
-  using Vec = core::Vec<double, L::D>;
-
   int nx = 0, ny = 0, nz = 1;
-  Vec origin = {};
+  core::Vec<double, L::D> origin = {};
   core::Symmetry symmetry = core::Symmetry::planar;
   Model model;
 
@@ -74,6 +71,12 @@ struct Fluid {
   KOKKOS_FORCEINLINE_FUNCTION int cell(int i, int j, int k = 0) const
   {
     return (L::D == 3 ? (k + 1) * f.plane : 0) + (j + 1) * f.pitch + i + 1;
+  }
+  /// Cell number n of the box, counted along x first.
+  KOKKOS_FORCEINLINE_FUNCTION int cell_of(long n) const
+  {
+    long const row = n / nx;
+    return cell(int(n % nx), int(row % ny), int(row / ny));
   }
   /// Number of all cells of the box, fluid or not.
   long cells() const { return long(nx) * ny * nz; }

@@ -30,15 +30,6 @@ KOKKOS_FORCEINLINE_FUNCTION Speed speed(Fluid<Real, L, Stored> const& fluid, int
   return {finite ? u2 : 1e60, double(rho), finite};
 }
 
-/// Cell n of the box, counted along x first.
-template <class Fluid>
-KOKKOS_FORCEINLINE_FUNCTION int cell_of(Fluid const& fluid, long n)
-{
-  int const i = int(n % fluid.nx);
-  long const row = n / fluid.nx;
-  return fluid.cell(i, int(row % fluid.ny), int(row / fluid.ny));
-}
-
 /// Relaxation time that smagorinsky_rate() chose, from the deviator it left behind: collision
 /// turns Pi into (1 - 1/tau) Pi, so that
 ///   (tau - tau0) |tau - 1| = 9/2 C^2 |(1 - 1/tau) Pi| / rho.
@@ -66,7 +57,7 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
   Kokkos::parallel_reduce(
       "velum::lbm::observe", Kokkos::RangePolicy<>(0, cells),
       KOKKOS_LAMBDA(long c, double& lo, double& hi, double& m, long& n, long& bad, long& clip) {
-        int const cell = cell_of(from, c);
+        int const cell = from.cell_of(c);
         if (!from.active(cell)) return;
         Speed const s = speed(from, cell);
         n += 1;
@@ -90,7 +81,7 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
   Kokkos::parallel_reduce(
       "velum::lbm::fastest_cell", Kokkos::RangePolicy<>(0, cells),
       KOKKOS_LAMBDA(long c, Worst::value_type& worst) {
-        int const cell = cell_of(from, c);
+        int const cell = from.cell_of(c);
         if (!from.active(cell)) return;
         double const u2 = speed(from, cell).squared;
         if (u2 > worst.val) {
@@ -123,7 +114,7 @@ EddyViscosity eddy_viscosity(Fluid<Real, L, Stored> const& fluid)
   Kokkos::parallel_reduce(
       "velum::lbm::eddy_viscosity", Kokkos::RangePolicy<>(0, fluid.cells()),
       KOKKOS_LAMBDA(long c, double& total, double& largest, long& n) {
-        int const cell = cell_of(from, c);
+        int const cell = from.cell_of(c);
         if (!from.active(cell)) return;
         double site[L::Q];
         for (int d = 0; d < L::Q; ++d) site[d] = double(from.f.outgoing(d, cell));

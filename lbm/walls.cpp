@@ -20,7 +20,7 @@ Point<L> direction(int dir)
 
 /// Share of the way from a (fluid) along c (to a wall) at which the distance changes sign.
 template <class L>
-double crossing(WallDistance<L> const& solids, Point<L> const& a, Point<L> const& c)
+double crossing(core::SignedDistance<L::D> const& solids, Point<L> const& a, Point<L> const& c)
 {
   double lo = 0, hi = 1;
   for (int n = 0; n < 50; ++n) {
@@ -56,7 +56,7 @@ Neighbour neighbour(Fluid<Real, L, Stored> const& fluid, int i, int j, int dir, 
 
 template <class Real, class L, class Stored>
 Walls find_walls(Fluid<Real, L, Stored> const& fluid,
-                 std::type_identity_t<WallDistance<L>> const& solids)
+                 std::type_identity_t<core::SignedDistance<L::D>> const& solids)
 {
   Walls walls;
   walls.nx = fluid.nx;
@@ -131,15 +131,20 @@ template Neighbour neighbour(Fluid<float, D3Q19, std::int16_t> const&, int, int,
 template Neighbour neighbour(Fluid<double, D3Q27, double> const&, int, int, int, int);
 template Neighbour neighbour(Fluid<float, D3Q27, float> const&, int, int, int, int);
 template Neighbour neighbour(Fluid<float, D3Q27, std::int16_t> const&, int, int, int, int);
-template Walls find_walls(Fluid<double, D2Q9, double> const&, WallDistance<D2Q9> const&);
-template Walls find_walls(Fluid<float, D2Q9, float> const&, WallDistance<D2Q9> const&);
-template Walls find_walls(Fluid<float, D2Q9, std::int16_t> const&, WallDistance<D2Q9> const&);
-template Walls find_walls(Fluid<double, D3Q19, double> const&, WallDistance<D3Q19> const&);
-template Walls find_walls(Fluid<float, D3Q19, float> const&, WallDistance<D3Q19> const&);
-template Walls find_walls(Fluid<float, D3Q19, std::int16_t> const&, WallDistance<D3Q19> const&);
-template Walls find_walls(Fluid<double, D3Q27, double> const&, WallDistance<D3Q27> const&);
-template Walls find_walls(Fluid<float, D3Q27, float> const&, WallDistance<D3Q27> const&);
-template Walls find_walls(Fluid<float, D3Q27, std::int16_t> const&, WallDistance<D3Q27> const&);
+template Walls find_walls(Fluid<double, D2Q9, double> const&, core::SignedDistance<D2Q9::D> const&);
+template Walls find_walls(Fluid<float, D2Q9, float> const&, core::SignedDistance<D2Q9::D> const&);
+template Walls find_walls(Fluid<float, D2Q9, std::int16_t> const&,
+                          core::SignedDistance<D2Q9::D> const&);
+template Walls find_walls(Fluid<double, D3Q19, double> const&,
+                          core::SignedDistance<D3Q19::D> const&);
+template Walls find_walls(Fluid<float, D3Q19, float> const&, core::SignedDistance<D3Q19::D> const&);
+template Walls find_walls(Fluid<float, D3Q19, std::int16_t> const&,
+                          core::SignedDistance<D3Q19::D> const&);
+template Walls find_walls(Fluid<double, D3Q27, double> const&,
+                          core::SignedDistance<D3Q27::D> const&);
+template Walls find_walls(Fluid<float, D3Q27, float> const&, core::SignedDistance<D3Q27::D> const&);
+template Walls find_walls(Fluid<float, D3Q27, std::int16_t> const&,
+                          core::SignedDistance<D3Q27::D> const&);
 template void deactivate_solids(Fluid<double, D2Q9, double>&, Walls const&);
 template void deactivate_solids(Fluid<float, D2Q9, float>&, Walls const&);
 template void deactivate_solids(Fluid<float, D2Q9, std::int16_t>&, Walls const&);

@@ -1,8 +1,9 @@
 #pragma once
-#include <functional>
+#include <type_traits>
 #include <vector>
 
 #include "core/obstacle.hpp"
+#include "core/signed_distance.hpp"
 #include "lbm/link.hpp"
 
 namespace velum::lbm {
@@ -30,16 +31,13 @@ struct Walls {
   bool is_solid(int i, int j, int k = 0) const { return solid[index(i, j, k)] != 0; }
 };
 
-/// Signed distance to the solids, positive in the fluid, lattice units.
-template <class L>
-using WallDistance = std::function<double(core::Vec<double, L::D> const&)>;
-
 /// Classifies the cells of the lattice box and finds the wall's distance on every link that leaves
 /// the fluid, by bisection of the signed distance along the link. The sides of the box are walls
 /// half-way between cells unless periodic, a plane of symmetry or the axis.
+/// @param solids  lattice units
 template <class Real, class L, class Stored>
 Walls find_walls(Fluid<Real, L, Stored> const& fluid,
-                 std::type_identity_t<WallDistance<L>> const& solids);
+                 std::type_identity_t<core::SignedDistance<L::D>> const& solids);
 template <class Real, class Stored>
 Walls find_walls(Fluid<Real, D2Q9, Stored> const& fluid, core::Obstacle const& solids)
 {

@@ -36,7 +36,7 @@ void fill_at_rest(CoupledScene<Real, Body>& s, std::vector<PatchOpening> const& 
     if (!known[z]) pressure[z] = s.state.targets[k];
     known[z] = true;
   }
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("rest", fluid.ny, fluid.nx);
+  lbm::CellStates state("rest", fluid.ny, fluid.nx);
   for (int j = 0; j < fluid.ny; ++j)
     for (int i = 0; i < fluid.nx; ++i) {
       auto const z = static_cast<int>(s.zone(active(fluid.cell(i, j)), j));

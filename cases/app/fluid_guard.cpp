@@ -10,16 +10,22 @@
 
 namespace velum::cases {
 
-void guard_fluid(Derived const& d, lbm::Observation const& seen, long step)
+std::string fault(lbm::Observation const& seen)
 {
-  bool const lost = seen.not_finite > 0;
   double const mach = seen.speed_max * std::numbers::sqrt3;
   double const density = std::max(std::abs(seen.rho_min), std::abs(seen.rho_max));
-  if (!lost && mach < 1 && density < 0.5) return;
-  std::string const what =
-      lost        ? fmt::format("the fluid is no longer finite in {} cells", seen.not_finite)
-      : mach >= 1 ? fmt::format("the fluid moves at Mach {:.2f}", mach)
-                  : fmt::format("the density is off by {:.0f} %", 100 * density);
+  if (seen.not_finite > 0)
+    return fmt::format("the fluid is no longer finite in {} cells", seen.not_finite);
+  if (!(mach < 1)) return fmt::format("the fluid moves at Mach {:.2f}", mach);
+  if (!(density < 0.5)) return fmt::format("the density is off by {:.0f} %", 100 * density);
+  if (seen.clipped) return "16-bit storage has reached the end of its range";
+  return {};
+}
+
+void guard_fluid(Derived const& d, lbm::Observation const& seen, long step)
+{
+  std::string const what = fault(seen);
+  if (what.empty()) return;
   std::string const cause =
       d.mach > 0.3
           ? fmt::format("lattice.mach is too large (the flow was to reach {:.2g})", d.mach)

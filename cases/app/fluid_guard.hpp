@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "cases/app/derived.hpp"
 #include "lbm/observe.hpp"
 
@@ -7,8 +9,12 @@ namespace velum::cases {
 /// Steps between two looks at the whole fluid; a look costs about as much as a step.
 constexpr long guard_every = 100;
 
-/// Throws core::Divergence with step, time, cell, place and likely cause when the fluid has left
-/// the range of the method: not finite, faster than its sound, or density off by half.
+/// What has left the range of the method, in words: not finite, faster than its sound, density off
+/// by half, or 16-bit storage at the end of its range; empty where all is well.
+std::string fault(lbm::Observation const& seen);
+
+/// Throws core::Divergence with step, time, cell, place and likely cause when the fluid has a
+/// fault.
 void guard_fluid(Derived const& derived, lbm::Observation const& seen, long step);
 
 }  // namespace velum::cases

@@ -49,7 +49,7 @@ void set_initial_state(Scene const& scene, LatticeScene<Real>& lattice)
   if (scene.initial.kind == InitialKind::rest) return;
   core::Units const& units = lattice.derived.units;
   core::Grid const& grid = lattice.derived.grid;
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("initial_state", grid.ny, grid.nx);
+  lbm::CellStates state("initial_state", grid.ny, grid.nx);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       auto const flow = initial_flow(scene, core::position(grid, i, j));

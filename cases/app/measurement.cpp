@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/app/fluid_guard.hpp"
 #include "core/check.hpp"
 
 namespace velum::cases {
@@ -103,17 +104,11 @@ std::string likely_cause(CoupledScene<Real, Body> const& s)
 template <class Real, template <class> class Body>
 void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long step)
 {
-  bool const lost = seen.not_finite > 0;
-  double const mach = seen.speed_max * std::numbers::sqrt3;
-  double const density = std::max(std::abs(seen.rho_min), std::abs(seen.rho_max));
-  if (!lost && mach < 1 && density < 0.5) return;
+  std::string const what = fault(seen);
+  if (what.empty()) return;
   auto const& f = s.state.fluid;
   core::Vec2 const at =
       s.derived.units.dx * (f.origin + core::Vec2{seen.worst_i + 0.5, seen.worst_j + 0.5});
-  std::string const what =
-      lost        ? fmt::format("the fluid is no longer finite in {} cells", seen.not_finite)
-      : mach >= 1 ? fmt::format("the fluid moves at Mach {:.2f}", mach)
-                  : fmt::format("the density is off by {:.0f} %", 100 * density);
   throw core::Divergence(fmt::format(
       "Diverged at step {} (t = {:.4g} s): {}, worst in cell ({}, {}) at axial {:.3g} mm, radial "
       "{:.3g} mm. Likely cause: {}.",

@@ -5,13 +5,11 @@
 
 namespace velum::cases {
 
-using CellStates = Kokkos::View<lbm::CellState**, Kokkos::HostSpace>;
-
 /// What is needed to read a flow between its cells.
 struct Sampled {
   core::Grid const& grid;
   lbm::Walls const& walls;
-  CellStates cells;  // [ny][nx]
+  lbm::CellStates cells;  // [ny][nx]
   bool periodic_x, periodic_y;
 };
 

@@ -4,7 +4,7 @@
 
 namespace velum::cases {
 
-bool SteadyTest::passed(CellStates const& cells)
+bool SteadyTest::passed(lbm::CellStates const& cells)
 {
   std::vector<double> now;
   now.reserve(2 * cells.size());

@@ -18,7 +18,7 @@ class SteadyTest {
 
   bool due(long step) const { return limit_ > 0 && step % period_ == 0; }
   /// True when the change has fallen below the limit.
-  bool passed(CellStates const& cells);
+  bool passed(lbm::CellStates const& cells);
   /// The last change; 1 before there were two fields to compare.
   double change() const { return change_; }
   long period() const { return period_; }

@@ -1,4 +1,5 @@
 #include "cases/app/commands.hpp"
+#include "cases/app/plot_script.hpp"
 #include "cases/app/section_picture.hpp"
 #include "core/check.hpp"
 #include "core/geometry/solid_cells.hpp"
@@ -103,7 +104,7 @@ void write_cut(Options const& options, core::TriangleMesh const& mesh, core::Cut
     fmt::print(
         "          no picture: it takes a Python with matplotlib, which PYTHON may name, and "
         "{}\n",
-        section_script().string());
+        plot_script(section_script).string());
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(Sample, ReproducesAParabolaAlsoOnAWall)
   auto const fluid = lbm::make_fluid<double>(n, n, {0, 0}, core::Symmetry::planar, {});
   auto const walls = lbm::find_walls(fluid, core::disc((1 / dx) * centre, radius / dx));
   core::Grid const grid{n, n, dx, {0, 0}, core::Symmetry::planar};
-  cases::CellStates cells("cells", n, n);
+  lbm::CellStates cells("cells", n, n);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       double const v = walls.is_solid(i, j) ? 1e6 : parabola(core::position(grid, i, j));
@@ -50,7 +50,7 @@ TEST(Sample, SeesThroughPeriodicSides)
   auto const fluid = lbm::make_fluid<double>(n, n, {0, 0}, core::Symmetry::planar, {});
   auto const walls = lbm::find_walls(fluid, {});
   core::Grid const grid{n, n, 1, {0, 0}, core::Symmetry::planar};
-  cases::CellStates cells("cells", n, n);
+  lbm::CellStates cells("cells", n, n);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) cells(j, i) = {std::cos(2 * std::acos(-1.0) * (i + 0.5) / n), 0, 0};
   cases::Sampled const flow{grid, walls, cells, true, true};

@@ -44,7 +44,7 @@ constexpr int nx = 14, ny = 12, solid_rows = 3, markers = 200;
 /// Fluid with a solid in its top rows, random velocities of density 1 below.
 struct Bench {
   lbm::Fluid<double> fluid;
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state{"state", ny, nx};
+  lbm::CellStates state{"state", ny, nx};
   ibm::MarkerField X{"X", 2, markers}, U{"U", 4, markers}, F{"F", 2, markers};
   ibm::Stencils stencils{"stencils", markers};
   std::mt19937 random{7};

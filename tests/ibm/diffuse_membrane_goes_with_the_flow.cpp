@@ -23,7 +23,7 @@ TEST(DiffuseMembrane, GoesWithAUniformFlow)
     model.periodic_x = model.periodic_y = true;
     tests::DiffuseScene s;
     s.fluid = lbm::make_fluid<double>(n, n, {0, 0}, core::Symmetry::planar, model);
-    Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", n, n);
+    lbm::CellStates state("state", n, n);
     Kokkos::deep_copy(state, lbm::CellState{0, flow[0], flow[1]});
     lbm::set_equilibrium(s.fluid, state);
     s.walls = tests::no_solids();

@@ -67,7 +67,7 @@ tests::SharpSceneOf<Real> clamped(Case const& c)
 template <class Real>
 void fill(tests::SharpSceneOf<Real>& s, double rho, double noise)
 {
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", ny, nx);
+  lbm::CellStates state("state", ny, nx);
   unsigned seed = 1;
   auto const random = [&] {
     seed = seed * 1664525u + 1013904223u;
@@ -93,7 +93,8 @@ std::array<double, 2> masses(tests::SharpSceneOf<Real> const& s)
       if (ibm::is_fluid(s.body.cells.at(i, j)))
         for (int d = 0; d < 9; ++d)
           m[s.body.cells.at(i, j) == ibm::fluid_plus ? 0 : 1] +=
-              lbm::link_ring(s.fluid.symmetry, j + 0.5, d) * double(s.fluid.f.outgoing(d, s.fluid.cell(i, j)));
+              lbm::link_ring(s.fluid.symmetry, j + 0.5, d) *
+              double(s.fluid.f.outgoing(d, s.fluid.cell(i, j)));
   return m;
 }
 
@@ -106,7 +107,8 @@ double disturbance(tests::SharpSceneOf<Real> const& s, double rho)
     for (int i = 0; i < nx; ++i)
       if (s.body.cells.at(i, j) == ibm::fluid_plus)
         for (int d = 0; d < 9; ++d)
-          worst = std::max(worst, std::abs(double(s.fluid.f.outgoing(d, s.fluid.cell(i, j))) - lbm::D2Q9::w(d) * rho));
+          worst = std::max(worst, std::abs(double(s.fluid.f.outgoing(d, s.fluid.cell(i, j))) -
+                                           lbm::D2Q9::w(d) * rho));
   return worst;
 }
 

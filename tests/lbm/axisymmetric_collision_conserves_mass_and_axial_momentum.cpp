@@ -140,7 +140,7 @@ void expect_box_keeps_mass(double tolerance)
     auto flow = tests::make_flow(
         lbm::make_fluid<Real>(nx, ny, {0, 0}, core::Symmetry::axisymmetric, {c, 0.005, 1.0 / 8}),
         tests::no_solids(), [](lbm::WallHit const&) { return -1; });
-    Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", ny, nx);
+    lbm::CellStates state("state", ny, nx);
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
         double const x = pi * (i + 0.5) / nx, y = pi * (j + 0.5) / ny;

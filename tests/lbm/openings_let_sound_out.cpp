@@ -24,7 +24,7 @@ double reflection(lbm::OpeningKind kind, double nu, double width)
       lbm::make_fluid<double>(nx, 3, {0, 0}, core::Symmetry::planar, model), tests::no_solids(),
       [](lbm::WallHit const& h) { return lbm::D2Q9::cx(h.dir) > 0 ? 0 : -1; },
       {{kind, {-1, 0}, 0.0}});
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", 3, nx);
+  lbm::CellStates state("state", 3, nx);
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < nx; ++i) {
       double const rho = 1e-3 * std::exp(-std::pow((i - 300) / width, 2) / 2);

@@ -46,7 +46,7 @@ TEST(Outflow, LetsAVortexPass)
           fluid(nu), tests::no_solids(),
           [](lbm::WallHit const& h) { return h.i == nx - 1 && lbm::D2Q9::cx(h.dir) > 0 ? 0 : -1; },
           {{lbm::OpeningKind::outflow, {-1, 0}, 0.0}});
-      Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", ny, nx);
+      lbm::CellStates state("state", ny, nx);
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i) {
           double const x = (i - 70) / 8.0, y = (j - 20) / 8.0, r2 = x * x + y * y;

@@ -35,7 +35,7 @@ Shear shear(lbm::Collision collision, double nu, double constant)
                                tests::no_solids(),
                                [&](lbm::WallHit const& h) { return h.at[1] > n / 2.0 ? -2 : -1; });
   flow.wall_velocity = {lid, 0};
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", n, 4);
+  lbm::CellStates state("state", n, 4);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < 4; ++i) state(j, i) = {0, lid * (j + 0.5) / n, 0};
   lbm::set_equilibrium(flow.fluid, state);

@@ -22,7 +22,7 @@ double error(lbm::Collision collision, int n)
   lbm::Model model{collision, nu, 1.0 / 8};
   model.periodic_x = model.periodic_y = true;
   auto fluid = lbm::make_fluid<Real>(n, n, {0, 0}, core::Symmetry::planar, model);
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", n, n);
+  lbm::CellStates state("state", n, n);
   auto const exact = [&](int i, int j, double decay) {
     double const x = k * (i + 0.5), y = k * (j + 0.5), u = u0 * decay;
     return lbm::CellState{-0.75 * u * u * (std::cos(2 * x) + std::cos(2 * y)),

@@ -22,7 +22,7 @@ double measured_viscosity(lbm::Collision collision, double nu)
   lbm::Model model{collision, nu, 1.0 / 8};
   model.periodic_x = model.periodic_y = true;
   auto fluid = lbm::make_fluid<Real>(3, n, {0, 0}, core::Symmetry::planar, model);
-  Kokkos::View<lbm::CellState**, Kokkos::HostSpace> state("state", n, 3);
+  lbm::CellStates state("state", n, 3);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < 3; ++i) state(j, i) = {0, u0 * std::sin(k * (j + 0.5)), 0};
   lbm::set_equilibrium(fluid, state);
