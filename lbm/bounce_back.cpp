@@ -1,7 +1,6 @@
 #include "lbm/bounce_back.hpp"
 
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 
 namespace velum::lbm {
 
@@ -27,14 +26,9 @@ double bounce_back(Fluid<Real, L, Stored>& fluid, LinkList const& list, core::Ve
   return mass;
 }
 
-template double bounce_back(Fluid<double, D2Q9, double>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<float, D2Q9, float>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<float, D2Q9, std::int16_t>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<double, D3Q19, double>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<float, D3Q19, float>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<float, D3Q19, std::int16_t>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<double, D3Q27, double>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<float, D3Q27, float>&, LinkList const&, core::Vec3);
-template double bounce_back(Fluid<float, D3Q27, std::int16_t>&, LinkList const&, core::Vec3);
+#define VELUM_INSTANTIATE(Real, L, Stored) \
+  template double bounce_back(Fluid<Real, L, Stored>&, LinkList const&, core::Vec3);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm

@@ -1,7 +1,6 @@
 #include "lbm/eddy_share.hpp"
 
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 
 namespace velum::lbm {
 
@@ -19,14 +18,9 @@ void spare_walls(Fluid<Real, L, Stored>& fluid, std::vector<WallHit> const& hits
   Kokkos::deep_copy(fluid.eddy_share, host);
 }
 
-template void spare_walls(Fluid<double, D2Q9, double>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<float, D2Q9, float>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<float, D2Q9, std::int16_t>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<double, D3Q19, double>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<float, D3Q19, float>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<float, D3Q19, std::int16_t>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<double, D3Q27, double>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<float, D3Q27, float>&, std::vector<WallHit> const&);
-template void spare_walls(Fluid<float, D3Q27, std::int16_t>&, std::vector<WallHit> const&);
+#define VELUM_INSTANTIATE(Real, L, Stored) \
+  template void spare_walls(Fluid<Real, L, Stored>&, std::vector<WallHit> const&);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm

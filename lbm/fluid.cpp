@@ -1,8 +1,7 @@
 #include "lbm/fluid.hpp"
 
 #include "core/huge_pages.hpp"
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 #include "lbm/moments.hpp"
 
 namespace velum::lbm {
@@ -130,68 +129,15 @@ CellStates cell_states(Fluid<Real, L, Stored> const& fluid)
   return host;
 }
 
-template Fluid<double, D2Q9, double> make_fluid(int, int, core::Vec<double, D2Q9::D>,
-                                                core::Symmetry, Model const&, int);
-template Fluid<float, D2Q9, float> make_fluid(int, int, core::Vec<double, D2Q9::D>, core::Symmetry,
-                                              Model const&, int);
-template Fluid<float, D2Q9, std::int16_t> make_fluid(int, int, core::Vec<double, D2Q9::D>,
-                                                     core::Symmetry, Model const&, int);
-template Fluid<double, D3Q19, double> make_fluid(int, int, core::Vec<double, D3Q19::D>,
-                                                 core::Symmetry, Model const&, int);
-template Fluid<float, D3Q19, float> make_fluid(int, int, core::Vec<double, D3Q19::D>,
-                                               core::Symmetry, Model const&, int);
-template Fluid<float, D3Q19, std::int16_t> make_fluid(int, int, core::Vec<double, D3Q19::D>,
-                                                      core::Symmetry, Model const&, int);
-template Fluid<double, D3Q27, double> make_fluid(int, int, core::Vec<double, D3Q27::D>,
-                                                 core::Symmetry, Model const&, int);
-template Fluid<float, D3Q27, float> make_fluid(int, int, core::Vec<double, D3Q27::D>,
-                                               core::Symmetry, Model const&, int);
-template Fluid<float, D3Q27, std::int16_t> make_fluid(int, int, core::Vec<double, D3Q27::D>,
-                                                      core::Symmetry, Model const&, int);
-template void mark(Fluid<double, D2Q9, double>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<float, D2Q9, float>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<float, D2Q9, std::int16_t>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<double, D3Q19, double>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<float, D3Q19, float>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<float, D3Q19, std::int16_t>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<double, D3Q27, double>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<float, D3Q27, float>&, std::vector<std::uint8_t> const&);
-template void mark(Fluid<float, D3Q27, std::int16_t>&, std::vector<std::uint8_t> const&);
-template void use_eddy_share(Fluid<double, D2Q9, double>&);
-template void use_eddy_share(Fluid<float, D2Q9, float>&);
-template void use_eddy_share(Fluid<float, D2Q9, std::int16_t>&);
-template void use_eddy_share(Fluid<double, D3Q19, double>&);
-template void use_eddy_share(Fluid<float, D3Q19, float>&);
-template void use_eddy_share(Fluid<float, D3Q19, std::int16_t>&);
-template void use_eddy_share(Fluid<double, D3Q27, double>&);
-template void use_eddy_share(Fluid<float, D3Q27, float>&);
-template void use_eddy_share(Fluid<float, D3Q27, std::int16_t>&);
-template void use_force_field(Fluid<double, D2Q9, double>&);
-template void use_force_field(Fluid<float, D2Q9, float>&);
-template void use_force_field(Fluid<float, D2Q9, std::int16_t>&);
-template void use_force_field(Fluid<double, D3Q19, double>&);
-template void use_force_field(Fluid<float, D3Q19, float>&);
-template void use_force_field(Fluid<float, D3Q19, std::int16_t>&);
-template void use_force_field(Fluid<double, D3Q27, double>&);
-template void use_force_field(Fluid<float, D3Q27, float>&);
-template void use_force_field(Fluid<float, D3Q27, std::int16_t>&);
-template void set_equilibrium(Fluid<double, D2Q9, double>&, CellStates const&);
-template void set_equilibrium(Fluid<float, D2Q9, float>&, CellStates const&);
-template void set_equilibrium(Fluid<float, D2Q9, std::int16_t>&, CellStates const&);
-template void set_equilibrium(Fluid<double, D3Q19, double>&, CellStates const&);
-template void set_equilibrium(Fluid<float, D3Q19, float>&, CellStates const&);
-template void set_equilibrium(Fluid<float, D3Q19, std::int16_t>&, CellStates const&);
-template void set_equilibrium(Fluid<double, D3Q27, double>&, CellStates const&);
-template void set_equilibrium(Fluid<float, D3Q27, float>&, CellStates const&);
-template void set_equilibrium(Fluid<float, D3Q27, std::int16_t>&, CellStates const&);
-template CellStates cell_states(Fluid<double, D2Q9, double> const&);
-template CellStates cell_states(Fluid<float, D2Q9, float> const&);
-template CellStates cell_states(Fluid<float, D2Q9, std::int16_t> const&);
-template CellStates cell_states(Fluid<double, D3Q19, double> const&);
-template CellStates cell_states(Fluid<float, D3Q19, float> const&);
-template CellStates cell_states(Fluid<float, D3Q19, std::int16_t> const&);
-template CellStates cell_states(Fluid<double, D3Q27, double> const&);
-template CellStates cell_states(Fluid<float, D3Q27, float> const&);
-template CellStates cell_states(Fluid<float, D3Q27, std::int16_t> const&);
+#define VELUM_INSTANTIATE(Real, L, Stored)                                                      \
+  template Fluid<Real, L, Stored> make_fluid(int, int, core::Vec<double, L::D>, core::Symmetry, \
+                                             Model const&, int);                                \
+  template void mark(Fluid<Real, L, Stored>&, std::vector<std::uint8_t> const&);                \
+  template void use_eddy_share(Fluid<Real, L, Stored>&);                                        \
+  template void use_force_field(Fluid<Real, L, Stored>&);                                       \
+  template void set_equilibrium(Fluid<Real, L, Stored>&, CellStates const&);                    \
+  template CellStates cell_states(Fluid<Real, L, Stored> const&);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm

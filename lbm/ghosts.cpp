@@ -1,6 +1,5 @@
 #include "core/static_for.hpp"
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 #include "lbm/stream_and_collide.hpp"
 
 namespace velum::lbm {
@@ -90,14 +89,8 @@ void fill_ghosts(Fluid<Real, L, Stored>& fluid)
   }
 }
 
-template void fill_ghosts(Fluid<double, D2Q9, double>&);
-template void fill_ghosts(Fluid<float, D2Q9, float>&);
-template void fill_ghosts(Fluid<float, D2Q9, std::int16_t>&);
-template void fill_ghosts(Fluid<double, D3Q19, double>&);
-template void fill_ghosts(Fluid<float, D3Q19, float>&);
-template void fill_ghosts(Fluid<float, D3Q19, std::int16_t>&);
-template void fill_ghosts(Fluid<double, D3Q27, double>&);
-template void fill_ghosts(Fluid<float, D3Q27, float>&);
-template void fill_ghosts(Fluid<float, D3Q27, std::int16_t>&);
+#define VELUM_INSTANTIATE(Real, L, Stored) template void fill_ghosts(Fluid<Real, L, Stored>&);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 #include "lbm/smagorinsky.hpp"
 
 namespace velum::lbm {
@@ -133,23 +132,10 @@ EddyViscosity eddy_viscosity(Fluid<Real, L, Stored> const& fluid)
   return {count ? sum / double(count) : 0, max > 0 ? max : 0};
 }
 
-template Observation observe(Fluid<double, D2Q9, double> const&);
-template Observation observe(Fluid<float, D2Q9, float> const&);
-template Observation observe(Fluid<float, D2Q9, std::int16_t> const&);
-template Observation observe(Fluid<double, D3Q19, double> const&);
-template Observation observe(Fluid<float, D3Q19, float> const&);
-template Observation observe(Fluid<float, D3Q19, std::int16_t> const&);
-template Observation observe(Fluid<double, D3Q27, double> const&);
-template Observation observe(Fluid<float, D3Q27, float> const&);
-template Observation observe(Fluid<float, D3Q27, std::int16_t> const&);
-template EddyViscosity eddy_viscosity(Fluid<double, D2Q9, double> const&);
-template EddyViscosity eddy_viscosity(Fluid<float, D2Q9, float> const&);
-template EddyViscosity eddy_viscosity(Fluid<float, D2Q9, std::int16_t> const&);
-template EddyViscosity eddy_viscosity(Fluid<double, D3Q19, double> const&);
-template EddyViscosity eddy_viscosity(Fluid<float, D3Q19, float> const&);
-template EddyViscosity eddy_viscosity(Fluid<float, D3Q19, std::int16_t> const&);
-template EddyViscosity eddy_viscosity(Fluid<double, D3Q27, double> const&);
-template EddyViscosity eddy_viscosity(Fluid<float, D3Q27, float> const&);
-template EddyViscosity eddy_viscosity(Fluid<float, D3Q27, std::int16_t> const&);
+#define VELUM_INSTANTIATE(Real, L, Stored)                     \
+  template Observation observe(Fluid<Real, L, Stored> const&); \
+  template EddyViscosity eddy_viscosity(Fluid<Real, L, Stored> const&);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm

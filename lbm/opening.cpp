@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 #include "lbm/moments.hpp"
 
 namespace velum::lbm {
@@ -132,32 +131,11 @@ void apply(Fluid<Real, L, Stored>& fluid, Opening& opening, double target)
   }
 }
 
-template double opening_area(Fluid<double, D2Q9, double> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<float, D2Q9, float> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<float, D2Q9, std::int16_t> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<double, D3Q19, double> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<float, D3Q19, float> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<float, D3Q19, std::int16_t> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<double, D3Q27, double> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<float, D3Q27, float> const&, std::vector<Link> const&,
-                             core::Vec3);
-template double opening_area(Fluid<float, D3Q27, std::int16_t> const&, std::vector<Link> const&,
-                             core::Vec3);
-template void apply(Fluid<double, D2Q9, double>&, Opening&, double);
-template void apply(Fluid<float, D2Q9, float>&, Opening&, double);
-template void apply(Fluid<float, D2Q9, std::int16_t>&, Opening&, double);
-template void apply(Fluid<double, D3Q19, double>&, Opening&, double);
-template void apply(Fluid<float, D3Q19, float>&, Opening&, double);
-template void apply(Fluid<float, D3Q19, std::int16_t>&, Opening&, double);
-template void apply(Fluid<double, D3Q27, double>&, Opening&, double);
-template void apply(Fluid<float, D3Q27, float>&, Opening&, double);
-template void apply(Fluid<float, D3Q27, std::int16_t>&, Opening&, double);
+#define VELUM_INSTANTIATE(Real, L, Stored)                                              \
+  template double opening_area(Fluid<Real, L, Stored> const&, std::vector<Link> const&, \
+                               core::Vec3);                                             \
+  template void apply(Fluid<Real, L, Stored>&, Opening&, double);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm

@@ -1,7 +1,6 @@
 #include "lbm/wall_force.hpp"
 
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 
 namespace velum::lbm {
 
@@ -26,14 +25,9 @@ core::Vec3 wall_force(Fluid<Real, L, Stored> const& fluid, LinkList const& list)
   return force;
 }
 
-template core::Vec3 wall_force(Fluid<double, D2Q9, double> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<float, D2Q9, float> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<float, D2Q9, std::int16_t> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<double, D3Q19, double> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<float, D3Q19, float> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<float, D3Q19, std::int16_t> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<double, D3Q27, double> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<float, D3Q27, float> const&, LinkList const&);
-template core::Vec3 wall_force(Fluid<float, D3Q27, std::int16_t> const&, LinkList const&);
+#define VELUM_INSTANTIATE(Real, L, Stored) \
+  template core::Vec3 wall_force(Fluid<Real, L, Stored> const&, LinkList const&);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm

@@ -1,7 +1,6 @@
 #include "lbm/walls.hpp"
 
-#include "lbm/lattice/d3q19.hpp"
-#include "lbm/lattice/d3q27.hpp"
+#include "lbm/formats.hpp"
 
 namespace velum::lbm {
 
@@ -122,49 +121,12 @@ Link link_at(Fluid<Real, L, Stored> const& fluid, Walls const& walls, WallHit co
   return {hit.i, hit.j, std::int16_t(hit.dir), std::int16_t(second), float(weight), hit.q, hit.k};
 }
 
-template Neighbour neighbour(Fluid<double, D2Q9, double> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<float, D2Q9, float> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<float, D2Q9, std::int16_t> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<double, D3Q19, double> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<float, D3Q19, float> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<float, D3Q19, std::int16_t> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<double, D3Q27, double> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<float, D3Q27, float> const&, int, int, int, int);
-template Neighbour neighbour(Fluid<float, D3Q27, std::int16_t> const&, int, int, int, int);
-template Walls find_walls(Fluid<double, D2Q9, double> const&, core::SignedDistance<D2Q9::D> const&);
-template Walls find_walls(Fluid<float, D2Q9, float> const&, core::SignedDistance<D2Q9::D> const&);
-template Walls find_walls(Fluid<float, D2Q9, std::int16_t> const&,
-                          core::SignedDistance<D2Q9::D> const&);
-template Walls find_walls(Fluid<double, D3Q19, double> const&,
-                          core::SignedDistance<D3Q19::D> const&);
-template Walls find_walls(Fluid<float, D3Q19, float> const&, core::SignedDistance<D3Q19::D> const&);
-template Walls find_walls(Fluid<float, D3Q19, std::int16_t> const&,
-                          core::SignedDistance<D3Q19::D> const&);
-template Walls find_walls(Fluid<double, D3Q27, double> const&,
-                          core::SignedDistance<D3Q27::D> const&);
-template Walls find_walls(Fluid<float, D3Q27, float> const&, core::SignedDistance<D3Q27::D> const&);
-template Walls find_walls(Fluid<float, D3Q27, std::int16_t> const&,
-                          core::SignedDistance<D3Q27::D> const&);
-template void deactivate_solids(Fluid<double, D2Q9, double>&, Walls const&);
-template void deactivate_solids(Fluid<float, D2Q9, float>&, Walls const&);
-template void deactivate_solids(Fluid<float, D2Q9, std::int16_t>&, Walls const&);
-template void deactivate_solids(Fluid<double, D3Q19, double>&, Walls const&);
-template void deactivate_solids(Fluid<float, D3Q19, float>&, Walls const&);
-template void deactivate_solids(Fluid<float, D3Q19, std::int16_t>&, Walls const&);
-template void deactivate_solids(Fluid<double, D3Q27, double>&, Walls const&);
-template void deactivate_solids(Fluid<float, D3Q27, float>&, Walls const&);
-template void deactivate_solids(Fluid<float, D3Q27, std::int16_t>&, Walls const&);
-template Link link_at(Fluid<double, D2Q9, double> const&, Walls const&, WallHit const&, double);
-template Link link_at(Fluid<float, D2Q9, float> const&, Walls const&, WallHit const&, double);
-template Link link_at(Fluid<float, D2Q9, std::int16_t> const&, Walls const&, WallHit const&,
-                      double);
-template Link link_at(Fluid<double, D3Q19, double> const&, Walls const&, WallHit const&, double);
-template Link link_at(Fluid<float, D3Q19, float> const&, Walls const&, WallHit const&, double);
-template Link link_at(Fluid<float, D3Q19, std::int16_t> const&, Walls const&, WallHit const&,
-                      double);
-template Link link_at(Fluid<double, D3Q27, double> const&, Walls const&, WallHit const&, double);
-template Link link_at(Fluid<float, D3Q27, float> const&, Walls const&, WallHit const&, double);
-template Link link_at(Fluid<float, D3Q27, std::int16_t> const&, Walls const&, WallHit const&,
-                      double);
+#define VELUM_INSTANTIATE(Real, L, Stored)                                                     \
+  template Neighbour neighbour(Fluid<Real, L, Stored> const&, int, int, int, int);             \
+  template Walls find_walls(Fluid<Real, L, Stored> const&, core::SignedDistance<L::D> const&); \
+  template void deactivate_solids(Fluid<Real, L, Stored>&, Walls const&);                      \
+  template Link link_at(Fluid<Real, L, Stored> const&, Walls const&, WallHit const&, double);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::lbm
