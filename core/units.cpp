@@ -7,8 +7,9 @@ namespace {
 
 double square(double a) { return a * a; }
 
-/// A ring has a circumference, a length; planar quantities are per metre of depth.
-double depth(Units const& u, Symmetry s) { return s == Symmetry::axisymmetric ? u.dx : 1; }
+/// A ring's circumference and the third axis of space are lengths; planar quantities are per metre
+/// of depth.
+double depth(Units const& u, Symmetry s) { return s == Symmetry::planar ? 1 : u.dx; }
 
 double length(Units const& u) { return u.dx; }
 double time(Units const& u) { return u.dt; }

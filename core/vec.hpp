@@ -56,8 +56,12 @@ using Vec2 = Vec<double, 2>;
 /// The direction a turned left by a quarter turn.
 inline Vec2 left_of(Vec2 const& a) { return {-a[1], a[0]}; }
 
-/// A point or direction of space.
+/// A point or direction of space. What holds a place of either kind of scene is a Vec3 too, whose
+/// last component a plane one leaves 0.
 using Vec3 = Vec<double, 3>;
+
+inline Vec2 in_plane(Vec3 const& a) { return {a[0], a[1]}; }
+inline Vec3 in_space(Vec2 const& a) { return {a[0], a[1], 0}; }
 
 /// Vector product: normal to a and b, right-handed, as long as their parallelogram is large.
 template <class Real>

@@ -51,11 +51,12 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
   long const cells = fluid.cells();
 
   Observation seen;
-  double rho_min = 0, rho_max = 0, mass = 0;
+  double rho_min = 0, rho_max = 0, mass = 0, squares = 0;
   long count = 0, not_finite = 0, clipped = 0;
   Kokkos::parallel_reduce(
       "velum::lbm::observe", Kokkos::RangePolicy<>(0, cells),
-      KOKKOS_LAMBDA(long c, double& lo, double& hi, double& m, long& n, long& bad, long& clip) {
+      KOKKOS_LAMBDA(long c, double& lo, double& hi, double& m, double& u2, long& n, long& bad,
+                    long& clip) {
         int const cell = from.cell_of(c);
         if (!from.active(cell)) return;
         Speed const s = speed(from, cell);
@@ -69,9 +70,11 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
         if (!s.finite) return;
         if (s.rho < lo) lo = s.rho;
         if (s.rho > hi) hi = s.rho;
+        u2 += s.squared;
         m += core::ring(from.symmetry, from.origin[1] + int(c / from.nx) % from.ny + 0.5) * s.rho;
       },
-      Kokkos::Min<double>(rho_min), Kokkos::Max<double>(rho_max), mass, count, not_finite, clipped);
+      Kokkos::Min<double>(rho_min), Kokkos::Max<double>(rho_max), mass, squares, count, not_finite,
+      clipped);
   seen.cells = count;
   if (count == 0) return seen;
 
@@ -90,6 +93,7 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
       },
       Worst(fastest));
   seen.speed_max = std::sqrt(fastest.val);
+  seen.speed_squared_mean = squares / double(count);
   seen.worst_i = int(fastest.loc % fluid.nx);
   seen.worst_j = int(fastest.loc / fluid.nx % fluid.ny);
   seen.worst_k = int(fastest.loc / fluid.nx / fluid.ny);

@@ -6,6 +6,7 @@ namespace velum::lbm {
 /// What the guard and the result need to know of the whole fluid.
 struct Observation {
   double speed_max = 0;                       // largest |u|, lattice units
+  double speed_squared_mean = 0;              // over the cells with fluid
   double rho_min = 0, rho_max = 0;            // of the density less 1
   double mass = 0;                            // sum of ring * (density less 1)
   long cells = 0;                             // with fluid

@@ -1,10 +1,27 @@
 #include "cases/app/assumptions.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "cases/app/geometry.hpp"
 #include "cases/app/scene_words.hpp"
 
 namespace velum::cases {
+
+namespace {
+
+std::string mirrors_in_words(Scene const& scene)
+{
+  std::vector<std::string> sides;
+  for (auto const& name : side_names(dimensions(scene))) {
+    auto const side = *box_side(name);
+    if ((scene.lattice.mirrors & lbm::mirror(side.axis, side.upper)) != 0) sides.push_back(name);
+  }
+  return fmt::format("mirror images beyond {}; forces are those on whole bodies",
+                     fmt::join(sides, ", "));
+}
+
+}  // namespace
 
 double smagorinsky_constant(Scene const& scene, bool sealed)
 {
@@ -24,17 +41,21 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
         "the lattice fluid is {:.3g} % denser under {:.4g} kPa (sound speed {:.4g} m/s)",
         100 * d.density_jump, d.pressure / 1e3, d.sound_speed);
     a["collision"] =
-        fmt::format("{}, tau - 1/2 = {:.3g}, {} precision", word(scene.lattice.collision),
-                    d.tau_minus_half, word(scene.lattice.precision));
-    a["les"] = smagorinsky > 0
-                   ? fmt::format("Smagorinsky, constant {:.3g}, but for the two cells next to walls", smagorinsky)
-                   : std::string("off");
+        fmt::format("{} on {}, tau - 1/2 = {:.3g}, {} precision", word(scene.lattice.collision),
+                    word(scene.lattice.stencil), d.tau_minus_half, word(scene.lattice.precision));
+    a["les"] =
+        smagorinsky > 0
+            ? fmt::format("Smagorinsky, constant {:.3g}, but for the two cells next to walls",
+                          smagorinsky)
+            : std::string("off");
     if (scene.membrane)
       a["gap"] =
           "resolved down to half a cell; below that a film that carries pressure and no flow";
-    a["axial symmetry"] = symmetry(scene) == core::Symmetry::axisymmetric
-                              ? "no swirl; eddies are rings, so LES is damping and no more"
-                              : "none: unit depth";
+    if (symmetry(scene) != core::Symmetry::none)
+      a["axial symmetry"] = symmetry(scene) == core::Symmetry::axisymmetric
+                                ? "no swirl; eddies are rings, so LES is damping and no more"
+                                : "none: unit depth";
+    if (scene.lattice.mirrors != 0) a["symmetry"] = mirrors_in_words(scene);
   }
   if (scene.membrane) {
     auto const& m = scene.materials.at(scene.membrane->material);

@@ -1,5 +1,6 @@
 #include "cases/app/coupled_scene.hpp"
 
+#include "cases/app/geometry.hpp"
 #include "ibm/sharp.hpp"
 
 namespace velum::cases {
@@ -71,7 +72,7 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   state.loads = hydrostatic.loads;
   state.seat = hydrostatic.seat;
   if (state.seat) state.loads.push_back(ibm::contact_load(state.seat));
-  state.walls = lattice.solids;
+  state.walls = core::transformed(all_solids(scene), 1 / lattice.derived.units.dx, {0, 0});
   state.pressure.lip = hydrostatic.load.lip;
   state.substeps = hydrostatic.substeps;
   state.scheme = scene.coupling.scheme == CouplingScheme::implicit ? ibm::Scheme::implicit

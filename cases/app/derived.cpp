@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace velum::cases {
@@ -30,11 +31,13 @@ double area(Scene const& scene, Boundary const& boundary)
 {
   double sum = 0;
   for (auto const& patch : boundary.patches) {
-    double const width = patch.to - patch.from;
+    double width = patch.to[0] - patch.from[0];
+    if (symmetry(scene) == core::Symmetry::none) width *= patch.to[1] - patch.from[1];
+    if (patch.disc) width *= std::numbers::pi / 4;
     auto const side = box_side(patch.side);
     double const radius = side && side->axis == 1
                               ? (side->upper ? scene.lattice.to[1] : scene.lattice.from[1])
-                              : 0.5 * (patch.from + patch.to);
+                              : 0.5 * (patch.from[0] + patch.to[0]);
     sum += core::ring(symmetry(scene), radius) * width;
   }
   return sum;
@@ -44,10 +47,12 @@ double area(Scene const& scene, Boundary const& boundary)
 double peak(Scene const& scene, Boundary const& boundary)
 {
   if (boundary.profile == VelocityProfile::uniform) return 1;
-  bool const bore = symmetry(scene) == core::Symmetry::axisymmetric &&
-                    std::any_of(boundary.patches.begin(), boundary.patches.end(),
-                                [](Patch const& patch) { return patch.from == 0; });
-  return bore ? 2 : 1.5;
+  bool const space = symmetry(scene) == core::Symmetry::none;
+  bool const ring = symmetry(scene) == core::Symmetry::axisymmetric;
+  double top = 1.5;
+  for (Patch const& patch : boundary.patches)
+    top = std::max(top, patch.disc || (ring && patch.from[0] == 0) ? 2.0 : space ? 2.25 : 1.5);
+  return top;
 }
 
 double velocity_of(Scene const& scene, Boundary const& boundary, double value)
@@ -63,19 +68,23 @@ double velocity_of(Scene const& scene, Boundary const& boundary, double value)
   }
 }
 
-/// Velocity that a body force reaches between the sides of the box in laminar flow: g h^2/8 nu
-/// between plates, g R^2/4 nu in a pipe.
-double laminar_velocity(Scene const& scene)
+/// Top of laminar flow under a force along an axis: g h^2/8 nu between plates, g R^2/4 nu in a
+/// pipe. In space h is the narrower side of the duct; a square one reaches 1/13.6 of g h^2/nu, and
+/// what lies between is joined by 1 + 0.7 (h/w)^2.
+double laminar_velocity_along(Scene const& scene, int axis)
 {
-  double velocity = 0;
-  for (int axis = 0; axis < 2; ++axis) {
-    double const width = scene.lattice.to[1 - axis] - scene.lattice.from[1 - axis];
-    bool const pipe =
-        axis == 0 && symmetry(scene) == core::Symmetry::axisymmetric && scene.lattice.from[1] == 0;
-    velocity = std::max(velocity, std::abs(scene.fluid.body_force[axis]) * width * width /
-                                      ((pipe ? 4 : 8) * scene.fluid.viscosity));
+  auto const& lattice = scene.lattice;
+  double narrow = std::numeric_limits<double>::infinity(), wide = narrow;
+  for (int across = 0; across < dimensions(scene); ++across) {
+    if (across == axis) continue;
+    double const width = lattice.to[across] - lattice.from[across];
+    wide = std::isfinite(narrow) ? std::max(narrow, width) : wide;
+    narrow = std::min(narrow, width);
   }
-  return velocity;
+  bool const pipe =
+      axis == 0 && symmetry(scene) == core::Symmetry::axisymmetric && lattice.from[1] == 0;
+  double const share = (pipe ? 4 : 8) * (1 + 0.7 * std::pow(narrow / wide, 2));
+  return std::abs(scene.fluid.body_force[axis]) * narrow * narrow / (share * scene.fluid.viscosity);
 }
 
 double largest_slope(Curve const& curve)
@@ -126,7 +135,9 @@ double reference_velocity(Scene const& scene)
     velocity =
         std::max(velocity, peak(scene, boundary) *
                                velocity_of(scene, boundary, largest_magnitude(boundary.value)));
-  velocity = std::max({velocity, scene.initial.velocity, laminar_velocity(scene)});
+  velocity = std::max(velocity, scene.initial.velocity);
+  for (int axis = 0; axis < dimensions(scene); ++axis)
+    velocity = std::max(velocity, laminar_velocity_along(scene, axis));
   if (scene.membrane && scene.membrane->motion)
     velocity = std::max(velocity, largest_slope(*scene.membrane->motion));
   return velocity;
@@ -172,14 +183,15 @@ Derived derive(Scene const& scene)
             .ny = cells_across(lattice, 1),
             .dx = lattice.dx,
             .origin = lattice.from + lattice.shift,
-            .symmetry = symmetry(scene)};
+            .symmetry = symmetry(scene),
+            .nz = dimensions(scene) == 3 ? cells_across(lattice, 2) : 1};
   d.sound_speed = lattice.dx / (dt * std::numbers::sqrt3);
   d.mach = d.velocity / d.sound_speed;
   d.viscosity = core::to_lattice_kinematic_viscosity(d.units, fluid.viscosity);
   d.tau_minus_half = 3 * d.viscosity;
   d.cell_reynolds = d.velocity * lattice.dx / fluid.viscosity;
   d.density_jump = d.pressure / (fluid.density * d.sound_speed * d.sound_speed);
-  d.acoustic_transit = std::max(d.grid.nx, d.grid.ny) * lattice.dx / d.sound_speed;
+  d.acoustic_transit = std::max({d.grid.nx, d.grid.ny, d.grid.nz}) * lattice.dx / d.sound_speed;
   d.steps = static_cast<std::int64_t>(std::ceil(scene.run.end / dt - 1e-9));
   if (scene.membrane) derive_membrane(scene, d);
   return d;

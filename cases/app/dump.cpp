@@ -1,22 +1,27 @@
 #include "cases/app/dump.hpp"
 
+#include "lbm/formats.hpp"
+
 namespace velum::cases {
 
-template <class Real>
-std::vector<core::Field> fluid_fields(lbm::Fluid<Real> const& fluid, core::Units const& units)
+template <class Real, class L, class Stored>
+std::vector<core::Field> fluid_fields(lbm::Fluid<Real, L, Stored> const& fluid,
+                                      core::Units const& units)
 {
   auto const cells = lbm::cell_states(fluid);
   auto const active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fluid.active);
   std::vector<float> pressure, density;
-  std::vector<core::Vec2> velocity;
+  std::vector<core::Vec<double, L::D>> velocity;
   std::vector<std::int32_t> side;
-  for (int j = 0; j < fluid.ny; ++j)
+  for (int row = 0; row < fluid.nz * fluid.ny; ++row)
     for (int i = 0; i < fluid.nx; ++i) {
-      auto const& c = cells(j, i);
+      auto const& c = cells(row, i);
+      double const u[] = {c.ux, c.uy, c.uz};
       pressure.push_back(float(core::to_si_pressure(units, c.rho / 3)));
       density.push_back(float(core::to_si_density(units, 1 + c.rho)));
-      velocity.push_back({core::to_si_velocity(units, c.ux), core::to_si_velocity(units, c.uy)});
-      side.push_back(active(fluid.cell(i, j)));
+      auto& v = velocity.emplace_back();
+      for (int a = 0; a < L::D; ++a) v[a] = core::to_si_velocity(units, u[a]);
+      side.push_back(active(fluid.cell(i, row % fluid.ny, row / fluid.ny)));
     }
   return {{"pressure", "Pa", 1, pressure},
           {"density", "kg/m3", 1, density},
@@ -54,8 +59,12 @@ std::vector<core::Curve> membrane_curves(CoupledScene<Real, Body> const& s)
           {"minus_face", metres(faces.minus), {face_pressure(1)}}};
 }
 
-template std::vector<core::Field> fluid_fields(lbm::Fluid<float> const&, core::Units const&);
-template std::vector<core::Field> fluid_fields(lbm::Fluid<double> const&, core::Units const&);
+#define VELUM_INSTANTIATE(Real, L, Stored)                                                \
+  template std::vector<core::Field> fluid_fields(lbm::Fluid<Real, lbm::L, Stored> const&, \
+                                                 core::Units const&);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
+
 template std::vector<core::Curve> membrane_curves(CoupledScene<float, ibm::Sharp> const&);
 template std::vector<core::Curve> membrane_curves(CoupledScene<double, ibm::Sharp> const&);
 template std::vector<core::Curve> membrane_curves(CoupledScene<float, ibm::Diffuse> const&);

@@ -18,17 +18,17 @@ struct FluidRecord {
 };
 
 /// @param out  folder of the results; empty: nothing is written
-template <class Real>
-FluidRecord start_record(FluidScene<Real> const& s, std::filesystem::path const& out,
+template <class Real, class L, class Stored>
+FluidRecord start_record(FluidScene<Real, L, Stored> const& s, std::filesystem::path const& out,
                          core::Assumptions const& about);
 
 /// Adds a row for the state at a time, s.
-template <class Real>
-void add_sample(FluidRecord& record, FluidScene<Real>& s, lbm::Observation const& seen,
+template <class Real, class L, class Stored>
+void add_sample(FluidRecord& record, FluidScene<Real, L, Stored>& s, lbm::Observation const& seen,
                 double time);
 
 /// Writes the fields at a time, s.
-template <class Real>
-void add_dump(FluidRecord& record, FluidScene<Real> const& s, double time);
+template <class Real, class L, class Stored>
+void add_dump(FluidRecord& record, FluidScene<Real, L, Stored> const& s, double time);
 
 }  // namespace velum::cases

@@ -10,6 +10,7 @@
 #include "cases/app/assumptions.hpp"
 #include "cases/app/fluid_guard.hpp"
 #include "cases/app/fluid_record.hpp"
+#include "cases/app/format.hpp"
 #include "cases/app/progress.hpp"
 #include "cases/app/reference.hpp"
 #include "cases/app/steady.hpp"
@@ -28,7 +29,7 @@ long steps_of(double interval, double dt) { return std::max<long>(1, std::lround
 
 SteadyTest steady_test(Scene const& scene, Derived const& d)
 {
-  double const side = std::max(d.grid.nx, d.grid.ny) * d.grid.dx;
+  double const side = std::max({d.grid.nx, d.grid.ny, d.grid.nz}) * d.grid.dx;
   double const length =
       scene.reference && scene.reference->length > 0 ? scene.reference->length : side;
   return {scene.run.steady, steps_of(length / d.velocity, d.units.dt)};
@@ -46,8 +47,8 @@ struct Watch {
   }
 };
 
-template <class Real>
-lbm::Observation look(Watch& watch, FluidScene<Real> const& s, long step)
+template <class Real, class L, class Stored>
+lbm::Observation look(Watch& watch, FluidScene<Real, L, Stored> const& s, long step)
 {
   auto const seen = lbm::observe(s.lattice.fluid);
   guard_fluid(s.lattice.derived, seen, step);
@@ -58,9 +59,9 @@ lbm::Observation look(Watch& watch, FluidScene<Real> const& s, long step)
 }
 
 /// The last row of the series, then what the march as a whole was like.
-template <class Real>
+template <class Real, class L, class Stored>
 std::vector<core::Figure> figures_of(FluidRecord const& record, Watch const& watch,
-                                     FluidScene<Real> const& s)
+                                     FluidScene<Real, L, Stored> const& s)
 {
   auto const& [columns, time, rows] = record.history;
   auto const& units = s.lattice.derived.units;
@@ -80,11 +81,11 @@ std::vector<core::Figure> figures_of(FluidRecord const& record, Watch const& wat
   return figures;
 }
 
-template <class Real>
+template <class Real, class L, class Stored>
 core::Summary march(Scene const& scene, RunOptions const& options)
 {
   double const smagorinsky = smagorinsky_constant(scene, false);
-  auto s = make_fluid_scene<Real>(scene, smagorinsky);
+  auto s = make_fluid_scene<Real, L, Stored>(scene, smagorinsky);
   auto const& d = s.lattice.derived;
   ReferenceData const data = scene.reference ? load_reference(scene) : ReferenceData{};
   core::Summary summary{{}, assumptions(scene, d, smagorinsky)};
@@ -141,8 +142,9 @@ core::Summary march(Scene const& scene, RunOptions const& options)
 
 core::Summary march_fluid(Scene const& scene, RunOptions const& options)
 {
-  return scene.lattice.precision == Precision::double_ ? march<double>(scene, options)
-                                                       : march<float>(scene, options);
+  return with_format(scene.lattice, [&]<class Real, class L, class Stored>() {
+    return march<Real, L, Stored>(scene, options);
+  });
 }
 
 void run_fluid(Scene const& scene, RunOptions const& options)

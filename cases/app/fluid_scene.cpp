@@ -1,48 +1,79 @@
 #include "cases/app/fluid_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cases/app/geometry.hpp"
 #include "cases/app/initial_state.hpp"
 #include "lbm/bounce_back.hpp"
+#include "lbm/formats.hpp"
 #include "lbm/stream_and_collide.hpp"
 #include "lbm/wall_force.hpp"
 
 namespace velum::cases {
 namespace {
 
-/// Links of the resting walls that lie on a body, or all of them without one.
-template <class Real>
-lbm::LinkList links_on(LatticeScene<Real> const& lattice, core::Obstacle const* body)
+/// Wall hits on a body.
+std::vector<lbm::WallHit> hits_on(std::vector<lbm::WallHit> const& all,
+                                  core::SignedDistance<3> const& body)
+{
+  std::vector<lbm::WallHit> hits;
+  for (lbm::WallHit const& h : all)
+    if (!h.box_side && std::abs(body(h.at)) < 1e-6) hits.push_back(h);
+  return hits;
+}
+
+template <class Real, class L, class Stored>
+lbm::LinkList links_of(LatticeScene<Real, L, Stored> const& lattice,
+                       std::vector<lbm::WallHit> const& hits)
 {
   std::vector<lbm::Link> links;
-  for (lbm::WallHit const& h : lattice.wall_hits)
-    if (!body || (!h.box_side && std::abs(core::distance(*body, Vec2{h.at[0], h.at[1]})) < 1e-6))
-      links.push_back(lbm::link_at(lattice.fluid, lattice.walls, h));
+  for (lbm::WallHit const& h : hits) links.push_back(lbm::link_at(lattice.fluid, lattice.walls, h));
   lbm::LinkList list;
   lbm::upload(list, links);
   return list;
 }
 
+/// A plane of symmetry beside which the body has links cuts it: the image doubles what is along the
+/// plane and takes away what is across.
+template <class Fluid>
+Vec3 whole_body(Fluid const& fluid, std::vector<lbm::WallHit> const& hits)
+{
+  Vec3 whole{1, 1, 1};
+  int const last[] = {fluid.nx - 1, fluid.ny - 1, fluid.nz - 1};
+  for (int axis = 0; axis < 3; ++axis)
+    for (bool const upper : {false, true}) {
+      if ((fluid.model.mirrors & lbm::mirror(axis, upper)) == 0) continue;
+      if (std::none_of(hits.begin(), hits.end(), [&](lbm::WallHit const& h) {
+            int const cell[] = {h.i, h.j, h.k};
+            return cell[axis] == (upper ? last[axis] : 0);
+          }))
+        continue;
+      for (int a = 0; a < 3; ++a) whole[a] *= a == axis ? 0 : 2;
+    }
+  return whole;
+}
+
 }  // namespace
 
-template <class Real>
-FluidScene<Real> make_fluid_scene(Scene const& scene, double smagorinsky)
+template <class Real, class L, class Stored>
+FluidScene<Real, L, Stored> make_fluid_scene(Scene const& scene, double smagorinsky)
 {
-  FluidScene<Real> s{&scene, make_lattice_scene<Real>(scene, smagorinsky), {}, {}};
-  s.resting = links_on(s.lattice, nullptr);
+  FluidScene<Real, L, Stored> s{
+      &scene, make_lattice_scene<Real, L, Stored>(scene, smagorinsky), {}, {}};
+  s.resting = links_of(s.lattice, s.lattice.wall_hits);
   for (auto const& probe : scene.probes) {
     if (probe.kind != ProbeKind::force) continue;
-    auto const body =
-        core::transformed(solid(scene, probe.solid), 1 / s.lattice.derived.units.dx, {0, 0});
-    s.bodies.push_back(links_on(s.lattice, &body));
+    auto const hits = hits_on(s.lattice.wall_hits, in_cells<3>(solid_distance(scene, probe.solid),
+                                                               s.lattice.derived.units.dx));
+    s.bodies.push_back({links_of(s.lattice, hits), whole_body(s.lattice.fluid, hits)});
   }
   set_initial_state(scene, s.lattice);
   return s;
 }
 
-template <class Real>
-void step(FluidScene<Real>& s, double time)
+template <class Real, class L, class Stored>
+void step(FluidScene<Real, L, Stored>& s, double time)
 {
   auto& fluid = s.lattice.fluid;
   auto const target = [&](std::string const& boundary) {
@@ -59,30 +90,32 @@ void step(FluidScene<Real>& s, double time)
   lbm::stream_and_collide(fluid);
 }
 
-template <class Real>
-Sampled sampled(FluidScene<Real> const& s)
+template <class Real, class L, class Stored>
+Sampled sampled(FluidScene<Real, L, Stored> const& s)
 {
   return {s.lattice.derived.grid, s.lattice.walls, lbm::cell_states(s.lattice.fluid),
-          s.lattice.fluid.model.periodic_x, s.lattice.fluid.model.periodic_y};
+          s.scene->lattice.periodic};
 }
 
-template <class Real>
-Vec2 body_force(FluidScene<Real>& s, std::size_t k)
+template <class Real, class L, class Stored>
+Vec3 body_force(FluidScene<Real, L, Stored>& s, std::size_t k)
 {
   lbm::fill_ghosts(s.lattice.fluid);
-  auto const f = lbm::wall_force(s.lattice.fluid, s.bodies[k]);
+  auto const f = lbm::wall_force(s.lattice.fluid, s.bodies[k].links);
   auto const& units = s.lattice.derived.units;
-  auto const symmetry = s.lattice.fluid.symmetry;
-  return {core::to_si_force(units, symmetry, f[0]), core::to_si_force(units, symmetry, f[1])};
+  Vec3 force;
+  for (int a = 0; a < L::D; ++a)
+    force[a] = s.bodies[k].whole[a] * core::to_si_force(units, s.lattice.fluid.symmetry, f[a]);
+  return force;
 }
 
-template FluidScene<float> make_fluid_scene(Scene const&, double);
-template FluidScene<double> make_fluid_scene(Scene const&, double);
-template void step(FluidScene<float>&, double);
-template void step(FluidScene<double>&, double);
-template Sampled sampled(FluidScene<float> const&);
-template Sampled sampled(FluidScene<double> const&);
-template Vec2 body_force(FluidScene<float>&, std::size_t);
-template Vec2 body_force(FluidScene<double>&, std::size_t);
+#define VELUM_INSTANTIATE(Real, L, Stored)                                                       \
+  template FluidScene<Real, lbm::L, Stored> make_fluid_scene<Real, lbm::L, Stored>(Scene const&, \
+                                                                                   double);      \
+  template void step(FluidScene<Real, lbm::L, Stored>&, double);                                 \
+  template Sampled sampled(FluidScene<Real, lbm::L, Stored> const&);                             \
+  template Vec3 body_force(FluidScene<Real, lbm::L, Stored>&, std::size_t);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::cases

@@ -4,32 +4,39 @@
 
 namespace velum::cases {
 
-/// A scene without a membrane, ready to march: the fluid, its walls, its openings and the links of
-/// the bodies on which forces are measured.
-template <class Real>
+/// A body on which a force is measured: its links, and the factors that make of the force on what
+/// the box holds that on the whole body, where planes of symmetry cut it.
+struct MeasuredBody {
+  lbm::LinkList links;
+  Vec3 whole;
+};
+
+/// A scene without a membrane, ready to march: the fluid, its walls, its openings and the bodies of
+/// the force probes, in the order of the scene's probes.
+template <class Real, class L = lbm::D2Q9, class Stored = Real>
 struct FluidScene {
   Scene const* scene;
-  LatticeScene<Real> lattice;
+  LatticeScene<Real, L, Stored> lattice;
   lbm::LinkList resting;
-  std::vector<lbm::LinkList> bodies;  // of the force probes, in the order of the scene's probes
+  std::vector<MeasuredBody> bodies;
 };
 
 /// Builds the scene in its initial state.
 /// @param scene  must outlive the result
-template <class Real>
-FluidScene<Real> make_fluid_scene(Scene const& scene, double smagorinsky);
+template <class Real, class L = lbm::D2Q9, class Stored = Real>
+FluidScene<Real, L, Stored> make_fluid_scene(Scene const& scene, double smagorinsky);
 
 /// One step: ghosts, walls, sliding walls, openings, then streaming and collision.
 /// @param time  at the beginning of the step, s
-template <class Real>
-void step(FluidScene<Real>& s, double time);
+template <class Real, class L, class Stored>
+void step(FluidScene<Real, L, Stored>& s, double time);
 
 /// The flow on the host, to be read between its cells.
-template <class Real>
-Sampled sampled(FluidScene<Real> const& s);
+template <class Real, class L, class Stored>
+Sampled sampled(FluidScene<Real, L, Stored> const& s);
 
 /// Force on the body of the k-th force probe in the step that comes next, SI (planar: per depth).
-template <class Real>
-Vec2 body_force(FluidScene<Real>& s, std::size_t k);
+template <class Real, class L, class Stored>
+Vec3 body_force(FluidScene<Real, L, Stored>& s, std::size_t k);
 
 }  // namespace velum::cases

@@ -12,16 +12,58 @@ core::Obstacle unshifted(Solid const& s)
 {
   switch (s.shape) {
     case SolidShape::box:
-      return core::box(s.from, s.to, s.round);
+      return core::box(core::in_plane(s.from), core::in_plane(s.to), s.round);
     case SolidShape::disc:
-      return core::disc(s.centre, s.radius);
+      return core::disc(core::in_plane(s.centre), s.radius);
     case SolidShape::profile:
       return core::polygon(s.points, s.round);
+    case SolidShape::sphere:
+    case SolidShape::cylinder:
+    case SolidShape::stl:  // of space only
+      break;
   }
   return {};
 }
 
-core::Obstacle placed(Solid const& s) { return core::transformed(unshifted(s), 1.0, s.shift); }
+/// A solid of space.
+core::SignedDistance<3> unshifted_in_space(Solid const& s)
+{
+  switch (s.shape) {
+    case SolidShape::box:
+      return core::box<3>(s.from, s.to);
+    case SolidShape::sphere:
+      return core::sphere(s.centre, s.radius);
+    case SolidShape::cylinder:
+      return core::cylinder(s.from, s.to, s.radius);
+    case SolidShape::stl:
+      return s.surface;
+    case SolidShape::profile: {
+      auto const profile = core::polygon(s.points, s.round);
+      return [profile](Vec3 const& p) {
+        return core::distance(profile, {p[0], std::hypot(p[1], p[2])});
+      };
+    }
+    case SolidShape::disc:  // of a plane only
+      break;
+  }
+  return {};
+}
+
+core::Obstacle placed(Solid const& s)
+{
+  return core::transformed(unshifted(s), 1.0, core::in_plane(s.shift));
+}
+
+core::SignedDistance<3> placed_in_space(Solid const& s)
+{
+  return core::scaled(unshifted_in_space(s), 1.0, s.shift);
+}
+
+/// What is flat, as a distance that does not look at the third coordinate.
+core::SignedDistance<3> extruded(core::Obstacle const& flat)
+{
+  return [flat](Vec3 const& p) { return core::distance(flat, core::in_plane(p)); };
+}
 
 /// Points along a range, half a spacing from its ends, at least two in a cell.
 std::vector<double> samples(double from, double to, double dx)
@@ -56,37 +98,75 @@ core::Obstacle all_solids(Scene const& scene)
   return removed.empty() ? all : core::subtract(all, core::unite(removed));
 }
 
+core::SignedDistance<3> solid_distance(Scene const& scene, std::string const& name)
+{
+  return dimensions(scene) == 3 ? placed_in_space(*find_solid(scene, name))
+                                : extruded(solid(scene, name));
+}
+
+core::SignedDistance<3> distance_to_solids(Scene const& scene)
+{
+  if (dimensions(scene) == 2) return extruded(all_solids(scene));
+  std::vector<core::SignedDistance<3>> added, removed;
+  for (auto const& s : scene.solids)
+    (s.operation == Operation::add ? added : removed).push_back(placed_in_space(s));
+  auto const all = core::unite(added);
+  return removed.empty() ? all : core::subtract(all, core::unite(removed));
+}
+
 std::optional<BoxSide> box_side(std::string const& side)
 {
-  if (side == "x-") return BoxSide{0, false};
-  if (side == "x+") return BoxSide{0, true};
-  if (side == "y-") return BoxSide{1, false};
-  if (side == "y+") return BoxSide{1, true};
-  return {};
+  if (side.size() != 2 || side[0] < 'x' || side[0] > 'z' || (side[1] != '-' && side[1] != '+'))
+    return {};
+  return BoxSide{side[0] - 'x', side[1] == '+'};
+}
+
+std::vector<std::string> side_names(int dimensions)
+{
+  std::vector<std::string> names = {"x-", "x+", "y-", "y+", "z-", "z+"};
+  names.resize(static_cast<std::size_t>(2 * dimensions));
+  return names;
+}
+
+bool covers(Patch const& patch, Vec2 const& along, int dimensions)
+{
+  double squared = 0;
+  for (int k = 0; k + 1 < dimensions; ++k) {
+    if (along[k] < patch.from[k] || along[k] > patch.to[k]) return false;
+    double const s = 2 * (along[k] - patch.from[k]) / (patch.to[k] - patch.from[k]) - 1;
+    squared += s * s;
+  }
+  return !patch.disc || squared <= 1;
 }
 
 bool opens_to_fluid(Scene const& scene, Patch const& patch)
 {
   auto const& lattice = scene.lattice;
-  auto const walls = all_solids(scene);
-  auto const along = samples(patch.from, patch.to, lattice.dx);
+  auto const walls = distance_to_solids(scene);
+  auto const along = samples(patch.from[0], patch.to[0], lattice.dx);
 
   if (auto const side = box_side(patch.side)) {
-    Vec2 p{};
+    auto const second = dimensions(scene) == 3 ? samples(patch.from[1], patch.to[1], lattice.dx)
+                                               : std::vector<double>{0};
+    Vec3 p{};
     p[side->axis] = side->upper ? lattice.to[side->axis] - 0.5 * lattice.dx
                                 : lattice.from[side->axis] + 0.5 * lattice.dx;
-    return std::any_of(along.begin(), along.end(), [&](double s) {
-      p[1 - side->axis] = s;
-      return core::distance(walls, p) > 0;
-    });
+    for (double const s : along)
+      for (double const t : second) {
+        if (!covers(patch, {s, t}, dimensions(scene))) continue;
+        p[axis_along(*side, 0)] = s;
+        if (dimensions(scene) == 3) p[axis_along(*side, 1)] = t;
+        if (walls(p) > 0) return true;
+      }
+    return false;
   }
 
-  auto const body = solid(scene, patch.side);
+  auto const body = solid_distance(scene, patch.side);
   auto const across = samples(lattice.from[0], lattice.to[0], lattice.dx);
   for (double const y : along)
     for (double const x : across) {
-      double const d = core::distance(body, {x, y});
-      if (d > 0 && d <= lattice.dx && core::distance(walls, {x, y}) > 0) return true;
+      double const d = body({x, y, 0});
+      if (d > 0 && d <= lattice.dx && walls({x, y, 0}) > 0) return true;
     }
   return false;
 }

@@ -5,6 +5,7 @@
 #include "cases/app/geometry.hpp"
 #include "cases/app/velocity_profile.hpp"
 #include "lbm/eddy_share.hpp"
+#include "lbm/formats.hpp"
 
 namespace velum::cases {
 
@@ -28,39 +29,54 @@ lbm::OpeningKind opening_kind(BoundaryKind kind)
   return lbm::OpeningKind::outflow;
 }
 
-/// A patch as the lattice sees it: the side of the box or the solid it lies on, and its range.
+/// A patch as the lattice sees it: its range, and the side of the box or the solid it lies on.
+/// Lattice units.
 struct PlacedPatch {
+  Patch range;
   std::optional<BoxSide> side;
-  core::Obstacle solid;
-  double from, to;  // lattice units
+  core::SignedDistance<3> solid;
 };
 
-bool takes(PlacedPatch const& patch, lbm::WallHit const& hit, core::Vec2 upper_corner)
+PlacedPatch placed_patch(Scene const& scene, Patch const& patch)
 {
-  double const along = hit.at[patch.side ? 1 - patch.side->axis : 1];
-  if (along < patch.from || along > patch.to) return false;
-  if (!patch.side)
-    return !hit.box_side &&
-           std::abs(core::distance(patch.solid, core::Vec2{hit.at[0], hit.at[1]})) < 1e-6;
+  double const dx = scene.lattice.dx;
+  PlacedPatch placed{patch, box_side(patch.side), {}};
+  placed.range.from = (1 / dx) * patch.from;
+  placed.range.to = (1 / dx) * patch.to;
+  if (!placed.side) placed.solid = in_cells<3>(solid_distance(scene, patch.side), dx);
+  return placed;
+}
+
+/// Where a wall is hit, along the patch.
+Vec2 place_on(PlacedPatch const& patch, Vec3 const& at)
+{
+  if (!patch.side) return {at[1], 0};
+  return {at[axis_along(*patch.side, 0)], at[axis_along(*patch.side, 1)]};
+}
+
+template <class Fluid, class L>
+bool takes(PlacedPatch const& patch, lbm::WallHit const& hit, Fluid const& fluid)
+{
+  if (!covers(patch.range, place_on(patch, hit.at), L::D)) return false;
+  if (!patch.side) return !hit.box_side && std::abs(patch.solid(hit.at)) < 1e-6;
   if (!hit.box_side) return false;
-  int const axis = patch.side->axis,
-            c = axis == 0 ? lbm::D2Q9::cx(hit.dir) : lbm::D2Q9::cy(hit.dir);
-  int const cell = axis == 0 ? hit.i : hit.j;
-  int const last = static_cast<int>(upper_corner[axis]) - 1;
-  return patch.side->upper ? c == 1 && cell == last : c == -1 && cell == 0;
+  int const axis = patch.side->axis, cell[] = {hit.i, hit.j, hit.k};
+  int const last[] = {fluid.nx - 1, fluid.ny - 1, fluid.nz - 1};
+  return patch.side->upper ? L::c(hit.dir, axis) == 1 && cell[axis] == last[axis]
+                           : L::c(hit.dir, axis) == -1 && cell[axis] == 0;
 }
 
 /// Into the fluid: off the side of the box, or the mean direction against the links.
-core::Vec3 normal_of(PlacedPatch const& patch, std::vector<lbm::Link> const& links)
+template <class L>
+Vec3 normal_of(PlacedPatch const& patch, std::vector<lbm::Link> const& links)
 {
-  core::Vec3 n;
-  for (lbm::Link const& l : links)
-    n -= lbm::D2Q9::w(l.dir) *
-         core::Vec3{double(lbm::D2Q9::cx(l.dir)), double(lbm::D2Q9::cy(l.dir))};
+  Vec3 n;
   if (patch.side) {
-    n = {};
     n[patch.side->axis] = patch.side->upper ? -1 : 1;
+    return n;
   }
+  for (lbm::Link const& l : links)
+    for (int a = 0; a < L::D; ++a) n[a] -= L::w(l.dir) * L::c(l.dir, a);
   return (1 / norm(n)) * n;
 }
 
@@ -72,45 +88,46 @@ lbm::Model model(Scene const& scene, Derived const& d, double smagorinsky)
   model.magic = scene.lattice.magic;
   model.smagorinsky = smagorinsky;
   // The density of the rest state is 1, so that a force per volume is an acceleration.
-  for (int axis = 0; axis < 2; ++axis)
+  for (int axis = 0; axis < dimensions(scene); ++axis)
     model.body_force[axis] = core::to_lattice_acceleration(d.units, scene.fluid.body_force[axis]);
-  model.periodic_x = scene.lattice.periodic_x;
-  model.periodic_y = scene.lattice.periodic_y;
+  model.periodic_x = scene.lattice.periodic[0];
+  model.periodic_y = scene.lattice.periodic[1];
+  model.periodic_z = scene.lattice.periodic[2];
+  model.mirrors = scene.lattice.mirrors;
+  // room for twice the velocity that the scene is made for; the guard tells where it is not enough
+  model.storage_range =
+      lbm::storage_range_for(2 * core::to_lattice_velocity(d.units, d.velocity), dimensions(scene));
   return model;
 }
 
 /// Turns the wall hits of a patch into an opening or a sliding wall; false where there are none.
-template <class Real>
+template <class Real, class L, class Stored>
 bool place(Scene const& scene, Boundary const& boundary, Patch const& patch,
-           std::vector<char>& taken, LatticeScene<Real>& s)
+           std::vector<char>& taken, LatticeScene<Real, L, Stored>& s)
 {
-  double const dx = s.derived.grid.dx;
-  core::Vec2 const upper = {double(s.fluid.nx), double(s.fluid.ny)};
-  PlacedPatch placed{box_side(patch.side), {}, patch.from / dx, patch.to / dx};
-  if (!placed.side) placed.solid = core::transformed(solid(scene, patch.side), 1 / dx, {0, 0});
-
+  PlacedPatch const placed = placed_patch(scene, patch);
   std::vector<lbm::Link> links;
-  std::vector<double> at;
+  std::vector<Vec2> at;
   for (std::size_t k = 0; k < s.walls.hits.size(); ++k) {
     lbm::WallHit const& h = s.walls.hits[k];
-    if (taken[k] || !takes(placed, h, upper)) continue;
+    if (taken[k] || !takes<lbm::Fluid<Real, L, Stored>, L>(placed, h, s.fluid)) continue;
     taken[k] = 1;
-    links.push_back({h.i, h.j, std::int16_t(h.dir), 0, 1.0f, h.q});
-    at.push_back(h.at[placed.side ? 1 - placed.side->axis : 1]);
+    links.push_back({h.i, h.j, std::int16_t(h.dir), 0, 1.0f, h.q, h.k});
+    at.push_back(place_on(placed, h.at));
   }
   if (links.empty()) return false;
 
   if (boundary.kind == BoundaryKind::moving_wall) {
-    SlidingWall wall{boundary.name, 1 - placed.side->axis, {}};
+    int const axis = L::D == 3 ? static_cast<int>(boundary.along) : axis_along(*placed.side, 0);
+    SlidingWall wall{boundary.name, axis, {}};
     lbm::upload(wall.links, links);
     s.sliding.push_back(wall);
     return true;
   }
   PatchOpening opening{boundary.name, {}, {}};
   opening.opening.kind = opening_kind(boundary.kind);
-  opening.opening.normal = normal_of(placed, links);
-  shape_velocity(s.fluid, boundary.profile, at, placed.from, placed.to, opening.opening.normal,
-                 links);
+  opening.opening.normal = normal_of<L>(placed, links);
+  shape_velocity(s.fluid, boundary.profile, placed.range, at, opening.opening.normal, links);
   opening.links = links;
   lbm::upload(opening.opening.links, opening.links);
   opening.opening.area = lbm::opening_area(s.fluid, opening.links, opening.opening.normal);
@@ -134,16 +151,17 @@ double lattice_target(Scene const& scene, Derived const& d, Boundary const& boun
   }
 }
 
-template <class Real>
-LatticeScene<Real> make_lattice_scene(Scene const& scene, double smagorinsky)
+template <class Real, class L, class Stored>
+LatticeScene<Real, L, Stored> make_lattice_scene(Scene const& scene, double smagorinsky)
 {
-  LatticeScene<Real> s;
+  LatticeScene<Real, L, Stored> s;
   s.derived = derive(scene);
   core::Grid const& grid = s.derived.grid;
-  s.fluid = lbm::make_fluid<Real>(grid.nx, grid.ny, (1 / grid.dx) * grid.origin, grid.symmetry,
-                                  model(scene, s.derived, smagorinsky));
-  s.solids = core::transformed(all_solids(scene), 1 / grid.dx, {0, 0});
-  s.walls = lbm::find_walls(s.fluid, s.solids);
+  core::Vec<double, L::D> origin;
+  for (int a = 0; a < L::D; ++a) origin[a] = grid.origin[a] / grid.dx;
+  s.fluid = lbm::make_fluid<Real, L, Stored>(grid.nx, grid.ny, origin, grid.symmetry,
+                                             model(scene, s.derived, smagorinsky), grid.nz);
+  s.walls = lbm::find_walls(s.fluid, in_cells<L::D>(distance_to_solids(scene), grid.dx));
   lbm::deactivate_solids(s.fluid, s.walls);
 
   std::vector<char> taken(s.walls.hits.size(), 0);
@@ -160,7 +178,10 @@ LatticeScene<Real> make_lattice_scene(Scene const& scene, double smagorinsky)
   return s;
 }
 
-template LatticeScene<float> make_lattice_scene(Scene const&, double);
-template LatticeScene<double> make_lattice_scene(Scene const&, double);
+#define VELUM_INSTANTIATE(Real, L, Stored)                                              \
+  template LatticeScene<Real, lbm::L, Stored> make_lattice_scene<Real, lbm::L, Stored>( \
+      Scene const&, double);
+VELUM_EACH_FLUID(VELUM_INSTANTIATE)
+#undef VELUM_INSTANTIATE
 
 }  // namespace velum::cases

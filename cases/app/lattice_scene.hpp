@@ -24,11 +24,10 @@ struct SlidingWall {
 };
 
 /// The fluid of a scene with its rigid surroundings, lattice units: lengths are metres / dx.
-template <class Real>
+template <class Real, class L = lbm::D2Q9, class Stored = Real>
 struct LatticeScene {
   Derived derived;
-  lbm::Fluid<Real> fluid;
-  core::Obstacle solids;
+  lbm::Fluid<Real, L, Stored> fluid;
   lbm::Walls walls;
   std::vector<lbm::WallHit> wall_hits;  // those that no opening and no sliding wall took
   std::vector<PatchOpening> openings;
@@ -38,8 +37,8 @@ struct LatticeScene {
 /// Builds fluid, walls, sliding walls and openings.
 /// @param smagorinsky  constant, 0 for off
 /// Throws core::InputError where a patch takes no link of the lattice.
-template <class Real>
-LatticeScene<Real> make_lattice_scene(Scene const& scene, double smagorinsky);
+template <class Real, class L = lbm::D2Q9, class Stored = Real>
+LatticeScene<Real, L, Stored> make_lattice_scene(Scene const& scene, double smagorinsky);
 
 /// What a boundary imposes at a time, in the units of lbm::apply: velocity, volume per step, or
 /// pressure, lattice.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace velum::cases {
@@ -25,9 +26,47 @@ Scene shear_layer(LimitPoint const& p, int cells)
               .run = {.settle = 5, .output_every = 5, .end = 5, .sample_every = 5}};
   scene.lattice.mach = p.mach;
   scene.lattice.collision = p.collision;
-  scene.lattice.periodic_x = scene.lattice.periodic_y = true;
+  scene.lattice.periodic = {true, true, false};
   scene.les.model = p.les ? LesModel::smagorinsky : LesModel::off;
   scene.initial = {.kind = InitialKind::shear_layer, .velocity = 1};
+  return scene;
+}
+
+/// The Taylor-Green vortex in a periodic box with unit velocity and side 2 pi, past its largest
+/// dissipation: at high Reynolds numbers eddies far below a cell.
+Scene vortices_in_space(LimitPoint const& p, int cells)
+{
+  double const side = 2 * std::numbers::pi;
+  Scene scene{.name = "taylor_green",
+              .fidelity = Fidelity::space,
+              .lattice = {.dx = side / cells, .from = {0, 0, 0}, .to = {side, side, side}},
+              .fluid = {.density = 1, .viscosity = 1 / p.reynolds},
+              .run = {.settle = 12, .output_every = 12, .end = 12, .sample_every = 12}};
+  scene.lattice.mach = p.mach;
+  scene.lattice.collision = p.collision;
+  scene.lattice.stencil = p.collision == Collision::cumulant ? Stencil::d3q27 : Stencil::d3q19;
+  scene.lattice.periodic = {true, true, true};
+  scene.les.model = p.les ? LesModel::smagorinsky : LesModel::off;
+  scene.initial = {.kind = InitialKind::taylor_green, .velocity = 1};
+  return scene;
+}
+
+/// A channel of unit width at rest, its middle half blocked by a plate: at t = 0 the pressure of
+/// Bernoulli's unit velocity stands at one end, and a jet forms beside the plate. Ten unit times.
+Scene pressure_step(LimitPoint const& p, int cells)
+{
+  Scene scene{.name = "pressure_step",
+              .fidelity = Fidelity::planar,
+              .lattice = {.dx = 1.0 / cells, .from = {0, 0}, .to = {3, 1}},
+              .fluid = {.density = 1, .viscosity = 1 / p.reynolds},
+              .run = {.settle = 10, .output_every = 10, .end = 10, .sample_every = 10}};
+  scene.lattice.mach = p.mach;
+  scene.lattice.collision = p.collision;
+  scene.les.model = p.les ? LesModel::smagorinsky : LesModel::off;
+  scene.solids = {
+      {.name = "plate", .shape = SolidShape::box, .from = {1, 0.25}, .to = {1.25, 0.75}}};
+  scene.boundaries = {{"inlet", BoundaryKind::pressure, constant(0.5), {{"x-", {0, 0}, {1, 0}}}},
+                      {"outlet", BoundaryKind::outflow, constant(0), {{"x+", {0, 0}, {1, 0}}}}};
   return scene;
 }
 
@@ -85,7 +124,12 @@ LimitRow bisect(LimitMap const& map, LimitPoint point, int cells, double LimitPo
 std::vector<LimitMap> const& limit_maps()
 {
   static std::vector<LimitMap> const maps = {
-      {"shear_layer", "doubly periodic shear layer, steepness 80, five unit times", shear_layer}};
+      {"shear_layer", "doubly periodic shear layer, steepness 80, five unit times", shear_layer,
+       64},
+      {"taylor_green", "Taylor-Green vortex in space, d3q19 (cumulant: d3q27), to t U/L = 12",
+       vortices_in_space, 32},
+      {"pressure_step", "pressure step on a half blocked channel at rest, ten unit times",
+       pressure_step, 64}};
   return maps;
 }
 

@@ -20,6 +20,7 @@ struct LimitPoint {
 struct LimitMap {
   std::string name, what;
   std::function<Scene(LimitPoint const&, int cells)> scene;
+  int cells;  // across the flow, unless asked for otherwise
 };
 
 /// All maps by name.

@@ -94,12 +94,17 @@ void add_limits(CLI::App& app, Options& options)
       "limits",
       "Largest stable Reynolds and Mach numbers of each collision, with LES and without; CSV and "
       "picture");
-  limits->add_option("MAP", options.map, "The flow to try: shear_layer")->required()->type_name("");
-  limits->add_option("--cells", options.cells, "Cells across the flow (64; with --quick 32)")
+  limits
+      ->add_option("MAP", options.map, "The flow to try: shear_layer, taylor_green, pressure_step")
+      ->required()
+      ->type_name("");
+  limits
+      ->add_option("--cells", options.cells,
+                   "Cells across the flow (64, in space 32; half with --quick)")
       ->check(CLI::Range(8, 4096))
       ->type_name("N");
   add_out(*limits, options, "results/limits_<MAP>");
-  limits->add_flag("--quick", options.quick, "32 cells, at one Mach number");
+  limits->add_flag("--quick", options.quick, "Half the cells, at one Mach number");
   add_common(*limits, options);
 }
 

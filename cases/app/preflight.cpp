@@ -12,6 +12,8 @@ namespace velum::cases {
 
 std::string fidelity_advice(Scene const& scene)
 {
+  if (symmetry(scene) == core::Symmetry::none)
+    return "3d as asked for; axisymmetric or planar, where the scene allows it, costs a hundredth.";
   if (symmetry(scene) == core::Symmetry::planar)
     return "planar: the scene is a plane of unit depth.";
   if (!scene.membrane)

@@ -1,4 +1,6 @@
+#include "cases/app/format.hpp"
 #include "cases/app/preflight.hpp"
+#include "cases/app/scene_words.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,28 +10,39 @@
 namespace velum::cases {
 namespace {
 
+/// Pressure, density, three components of velocity and a label for each cell, uncompressed.
+int output_bytes(Scene const& scene) { return 4 + 4 + 3 * (dimensions(scene) == 3 ? 4 : 8) + 4; }
+
+/// Of the populations, one copy, in place.
+int bytes_per_cell(Lattice const& lattice)
+{
+  return with_format(lattice, []<class Real, class L, class Stored>() {
+    return L::Q * static_cast<int>(sizeof(Stored));
+  });
+}
+
 Row memory_row(Scene const& scene, double cells)
 {
-  // Two copies of nine populations, a mask, and the host's fields for output.
-  double const real = scene.lattice.precision == Precision::single_ ? 4 : 8;
-  double const bytes = cells * (2 * 9 * real + 1 + 4 * 8);
+  // The populations, a mask, the share of the eddy viscosity, and the host's copy for output.
+  double const eddy = scene.les.model == LesModel::off ? 0 : sizeof(float);
+  double const bytes = cells * (bytes_per_cell(scene.lattice) + 1 + eddy + sizeof(lbm::CellState) +
+                                output_bytes(scene));
   double const machine =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   Row row{"memory", bytes / 1e6, "MB", Verdict::ok, ""};
   if (bytes > 0.8 * machine) {
     row.verdict = Verdict::red;
-    row.remark =
-        fmt::format("this machine has {:.3g} GB: lattice.dx >= \"{:.3g} um\"", machine / 1e9,
-                    1e6 * scene.lattice.dx * std::sqrt(bytes / (0.8 * machine)));
+    row.remark = fmt::format(
+        "this machine has {:.3g} GB: lattice.dx >= \"{:.3g} um\"", machine / 1e9,
+        1e6 * scene.lattice.dx * std::pow(bytes / (0.8 * machine), 1.0 / dimensions(scene)));
   }
   return row;
 }
 
 Row output_row(Scene const& scene, double cells)
 {
-  // Pressure, two velocities and a label for each cell, uncompressed.
   double const dumps = std::floor(scene.run.end / scene.run.output_every) + 1;
-  Row row{"output", dumps * cells * 4 * 8 / 1e6, "MB", Verdict::ok,
+  Row row{"output", dumps * cells * output_bytes(scene) / 1e6, "MB", Verdict::ok,
           fmt::format("{:.0f} dumps", dumps)};
   if (row.value > 1e4) {
     row.verdict = Verdict::warn;
@@ -49,9 +62,9 @@ Row time_row(Scene const& scene, Derived const& d, double cells, double mlups)
   if (scene.run.steady > 0) row.remark += "; less where the flow becomes steady before run.end";
   if (seconds > 3600) {
     row.verdict = seconds > 86400 ? Verdict::red : Verdict::warn;
-    // Cells and steps together grow with the third power of the resolution.
+    double const power = dimensions(scene) + 1;  // of the resolution: cells, and steps
     row.remark += fmt::format(": an hour needs lattice.dx >= \"{:.3g} um\"",
-                              1e6 * scene.lattice.dx * std::cbrt(seconds / 3600));
+                              1e6 * scene.lattice.dx * std::pow(seconds / 3600, 1 / power));
   }
   return row;
 }
@@ -60,8 +73,13 @@ Row time_row(Scene const& scene, Derived const& d, double cells, double mlups)
 
 std::vector<Row> cost_rows(Scene const& scene, Derived const& d, double mlups)
 {
-  double const cells = static_cast<double>(d.grid.nx) * d.grid.ny;
-  return {{fmt::format("cells, {} x {}", d.grid.nx, d.grid.ny), cells, "", Verdict::info, ""},
+  double const cells = static_cast<double>(d.grid.nx) * d.grid.ny * d.grid.nz;
+  std::string const depth = dimensions(scene) == 3 ? fmt::format(" x {}", d.grid.nz) : "";
+  return {{fmt::format("cells, {} x {}{}", d.grid.nx, d.grid.ny, depth), cells, "", Verdict::info,
+           "solid ones included"},
+          {"populations per cell", double(bytes_per_cell(scene.lattice)), "B", Verdict::info,
+           fmt::format("{}, {} precision, one copy", word(scene.lattice.stencil),
+                       word(scene.lattice.precision))},
           {"steps", static_cast<double>(d.steps), "", Verdict::info, ""},
           memory_row(scene, cells),
           output_row(scene, cells),

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -34,7 +35,8 @@ ReferenceData load_reference(Scene const& scene)
 {
   auto const& reference = *scene.reference;
   if (reference.file.empty()) return load_exact(scene);
-  bool const body = reference.kind == ReferenceKind::body;
+  bool const body =
+      reference.kind == ReferenceKind::body || reference.kind == ReferenceKind::dissipation;
   auto const table =
       read_table_file(std::filesystem::path(scene.file).parent_path() / reference.file,
                       body ? std::vector<std::string>{"figure", "low", "high"}
@@ -62,9 +64,11 @@ ReferenceData load_reference(Scene const& scene)
       return value;
     };
     data.points.push_back(
-        {{L * number(table, row, "x").value_or(0), L * number(table, row, "y").value_or(0)},
+        {{L * number(table, row, "x").value_or(0), L * number(table, row, "y").value_or(0),
+          L * number(table, row, "z").value_or(0)},
          scaled("u"),
-         scaled("v")});
+         scaled("v"),
+         scaled("w")});
   }
   if (!data.points.empty() || !data.bounds.empty())
     data.note = fmt::format("{} for Re = {:.6g}", reference.file, reynolds);
@@ -88,6 +92,8 @@ std::vector<core::Figure> compare(ReferenceData const& data, Result const& resul
       return compare_pipe(result);
     case ReferenceKind::body:
       return compare_body(data, result);
+    case ReferenceKind::dissipation:
+      return compare_dissipation(data, result);
   }
   return {};
 }
@@ -96,6 +102,22 @@ std::string error_key(Scene const& scene, ReferenceData const& data)
 {
   if (scene.reference->file.empty() || !data.points.empty()) return "error_l2";
   return data.bounds.empty() ? "" : data.bounds.front().figure + "_error";
+}
+
+std::vector<core::Figure> errors_of(ReferenceData const& data,
+                                    std::vector<core::Figure> const& figures)
+{
+  std::vector<core::Figure> errors;
+  for (auto const& bound : data.bounds) {
+    auto const found = std::find_if(figures.begin(), figures.end(),
+                                    [&](core::Figure const& f) { return f.name == bound.figure; });
+    if (found == figures.end()) continue;
+    double const middle = (bound.low + bound.high) / 2;
+    errors.push_back({bound.figure + "_error", std::abs(found->value / middle - 1), "1"});
+    errors.push_back({bound.figure + "_within",
+                      double(found->value >= bound.low && found->value <= bound.high), "1"});
+  }
+  return errors;
 }
 
 std::vector<core::Figure> compare_points(ReferenceData const& data, Result const& result)
@@ -114,6 +136,7 @@ std::vector<core::Figure> compare_points(ReferenceData const& data, Result const
     auto const state = state_at(result.flow, point.at);
     add(point.u, state.ux);
     add(point.v, state.uy);
+    add(point.w, state.uz);
   }
   if (values == 0) return {};
   return {{"error_l2", std::sqrt(squared / whole), "1"},

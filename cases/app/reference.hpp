@@ -13,8 +13,8 @@ namespace velum::cases {
 
 /// A published or computed velocity at a place, SI.
 struct ReferencePoint {
-  Vec2 at;
-  std::optional<double> u, v;
+  Vec3 at;
+  std::optional<double> u, v, w;
 };
 
 /// Bounds in which a figure of the run should lie.
@@ -32,8 +32,8 @@ struct ReferenceData {
 
 /// Reads the file of the scene's reference and keeps the rows of its Reynolds number U L/nu (U from
 /// flow_velocity(), L the reference's length) and, where the file has times, of the scene's end.
-/// points: columns x, y over L and u, v over U, empty where not given; [time] over L/U.
-/// body: columns figure, low, high.
+/// points: columns x, y, [z] over L and u, v, [w] over U, empty where not given; [time] over L/U.
+/// body, dissipation: columns figure, low, high.
 /// @throws core::InputError  the file is not of that form
 ReferenceData load_reference(Scene const& scene);
 
@@ -61,13 +61,20 @@ std::vector<core::Figure> compare_points(ReferenceData const& data, Result const
 /// The exact decay of initial_flow(): error_l2 over all cells, error_max over the amplitude, and
 /// viscosity_error from the decay of the amplitude.
 std::vector<core::Figure> compare_taylor_green(Result const& result);
-/// Hagen-Poiseuille flow u = g (R^2 - r^2) / 4 nu: error_l2 over the section (weighted by r),
-/// error_max over the velocity on the axis.
+/// Hagen-Poiseuille flow u = g (R^2 - r^2) / 4 nu: error_l2 over the section, error_max over the
+/// velocity on the axis. In space the axis is the middle line of the box.
 std::vector<core::Figure> compare_pipe(Result const& result);
 /// Coefficients 2 F / (rho U^2 A), A = L per depth or pi L^2/4, at the end or, where the lift
 /// oscillates, over its last periods with the Strouhal number L/(U T); the pressure difference at
 /// the end or half a period after the largest lift. With each figure that has bounds, its relative
 /// distance from their middle and whether it lies within.
 std::vector<core::Figure> compare_body(ReferenceData const& data, Result const& result);
+/// Largest rate at which the mean kinetic energy falls, dissipation_peak over U^3/L, and its time,
+/// dissipation_time over L/U. With each figure that has bounds its error as in compare_body().
+std::vector<core::Figure> compare_dissipation(ReferenceData const& data, Result const& result);
+
+/// Relative distance of each figure from the middle of its bounds, and whether it lies within.
+std::vector<core::Figure> errors_of(ReferenceData const& data,
+                                    std::vector<core::Figure> const& figures);
 
 }  // namespace velum::cases

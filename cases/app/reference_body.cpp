@@ -51,16 +51,7 @@ std::vector<core::Figure> compare_body(ReferenceData const& data, Result const& 
 {
   std::vector<core::Figure> figures;
   add_coefficients(r, figures);
-  std::vector<core::Figure> errors;
-  for (auto const& bound : data.bounds) {
-    auto const found = std::find_if(figures.begin(), figures.end(),
-                                    [&](core::Figure const& f) { return f.name == bound.figure; });
-    if (found == figures.end()) continue;
-    double const middle = (bound.low + bound.high) / 2;
-    errors.push_back({bound.figure + "_error", std::abs(found->value / middle - 1), "1"});
-    errors.push_back({bound.figure + "_within",
-                      double(found->value >= bound.low && found->value <= bound.high), "1"});
-  }
+  auto const errors = errors_of(data, figures);
   figures.insert(figures.end(), errors.begin(), errors.end());
   return figures;
 }

@@ -11,9 +11,9 @@ namespace {
 struct Deviation {
   double squared = 0, whole = 0, worst = 0;
 
-  void add(double weight, Vec2 const& is, Vec2 const& should)
+  void add(double weight, Vec3 const& is, Vec3 const& should)
   {
-    Vec2 const off = is - should;
+    Vec3 const off = is - should;
     squared += weight * core::dot(off, off);
     whole += weight * core::dot(should, should);
     worst = std::max(worst, core::norm(off));
@@ -25,12 +25,13 @@ template <class Visit>
 void each_fluid_cell(Result const& r, Visit const& visit)
 {
   auto const& grid = r.flow.grid;
-  for (int j = 0; j < grid.ny; ++j)
+  for (int row = 0; row < grid.nz * grid.ny; ++row)
     for (int i = 0; i < grid.nx; ++i) {
-      if (r.flow.walls.is_solid(i, j)) continue;
-      auto const& c = r.flow.cells(j, i);
-      visit(core::position(grid, i, j),
-            Vec2{core::to_si_velocity(r.units, c.ux), core::to_si_velocity(r.units, c.uy)});
+      int const j = row % grid.ny, k = row / grid.ny;
+      if (r.flow.walls.is_solid(i, j, k)) continue;
+      auto const& c = r.flow.cells(row, i);
+      visit(core::position(grid, i, j, k),
+            core::to_si_velocity(r.units, 1) * Vec3{c.ux, c.uy, c.uz});
     }
 }
 
@@ -40,7 +41,7 @@ std::vector<core::Figure> compare_taylor_green(Result const& r)
 {
   Deviation deviation;
   double along = 0, start = 0;  // projections on the initial flow
-  each_fluid_cell(r, [&](Vec2 const& p, Vec2 const& u) {
+  each_fluid_cell(r, [&](Vec3 const& p, Vec3 const& u) {
     auto const first = initial_flow(r.scene, p).velocity;
     deviation.add(1, u, initial_flow(r.scene, p, r.time).velocity);
     along += core::dot(u, first);
@@ -62,10 +63,14 @@ std::vector<core::Figure> compare_pipe(Result const& r)
 {
   double const R = r.scene.reference->length;
   double const top = r.scene.fluid.body_force[0] * R * R / (4 * r.scene.fluid.viscosity);
+  bool const space = dimensions(r.scene) == 3;
+  auto const& lattice = r.scene.lattice;
+  Vec3 const middle = space ? 0.5 * (lattice.from + lattice.to) : Vec3{};
   Deviation deviation;
-  each_fluid_cell(r, [&](Vec2 const& p, Vec2 const& u) {
-    double const s = p[1] / R;
-    if (s < 1) deviation.add(s, u, {top * (1 - s * s), 0});
+  each_fluid_cell(r, [&](Vec3 const& p, Vec3 const& u) {
+    double const s = std::hypot(p[1] - middle[1], p[2] - middle[2]) / R;
+    // a ring of the meridional plane stands for the more area the farther out it is
+    if (s < 1) deviation.add(space ? 1 : s, u, {top * (1 - s * s), 0, 0});
   });
   return {{"error_l2", deviation.relative(), "1"},
           {"error_max", deviation.worst / std::abs(top), "1"},

@@ -30,11 +30,14 @@ void prepare_results(Scene const& scene, std::filesystem::path const& out)
   for (char const* name : {"run.h5", "run.xmf", "series.csv", "summary.json", "log.txt"})
     std::filesystem::remove(out / name, ignored);
 
-  // With the table of its reference beside it, the scene as run can be run again from there.
-  if (scene.reference && !scene.reference->file.empty())
-    std::filesystem::copy_file(
-        std::filesystem::path(scene.file).parent_path() / scene.reference->file,
-        out / scene.reference->file, std::filesystem::copy_options::overwrite_existing, ignored);
+  // With the files that it names beside it, the scene as run can be run again from there.
+  auto const copy = [&](std::string const& name) {
+    if (!name.empty())
+      std::filesystem::copy_file(std::filesystem::path(scene.file).parent_path() / name, out / name,
+                                 std::filesystem::copy_options::overwrite_existing, ignored);
+  };
+  if (scene.reference) copy(scene.reference->file);
+  for (auto const& solid : scene.solids) copy(solid.file);
 
   std::ofstream file(scene_file);
   file << scene.text << std::flush;

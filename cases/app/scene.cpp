@@ -35,6 +35,7 @@ toml::table parse_file(std::filesystem::path const& file)
 core::Symmetry symmetry_of(Fidelity fidelity, SceneTable& root)
 {
   if (fidelity == Fidelity::planar) return core::Symmetry::planar;
+  if (fidelity == Fidelity::space) return core::Symmetry::none;
   if (fidelity == Fidelity::axisymmetric || !root.has("membrane"))
     return core::Symmetry::axisymmetric;
   auto const shape = root.table("membrane").choice<MembraneShape>("shape", MembraneShape::disc);
@@ -50,7 +51,10 @@ Scene compose(SceneTable root)
   if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.'))
     root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
   auto const fidelity = root.choice<Fidelity>("fidelity");
-  auto const planar_or_ring = symmetry_of(fidelity, root);
+  auto const symmetry_of_scene = symmetry_of(fidelity, root);
+  root.set_dimensions(core::dimensions(symmetry_of_scene));
+  if (root.has("membrane") && fidelity == Fidelity::space)
+    root.fail("membrane", "is for planar and axisymmetric scenes; in space velum has none yet.");
 
   Scene scene{.name = std::move(name),
               .fidelity = fidelity,
@@ -64,18 +68,19 @@ Scene compose(SceneTable root)
       scene.solids.push_back(read_solid(table, key));
   for (std::string const key : {"inlet", "outlet"})
     if (root.has(key))
-      scene.boundaries.push_back(read_boundary(root.table(key), key, planar_or_ring));
+      scene.boundaries.push_back(
+          read_boundary(root.table(key), key, symmetry_of_scene, scene.lattice));
   if (root.has("boundary"))
     for (auto const& [key, table] : root.table("boundary").tables()) {
       if (key == "inlet" || key == "outlet")
         table.fail("kind", fmt::format("belongs to a boundary whose table is simply [{}].", key));
-      scene.boundaries.push_back(read_boundary(table, key, planar_or_ring));
+      scene.boundaries.push_back(read_boundary(table, key, symmetry_of_scene, scene.lattice));
     }
   if (root.has("material"))
     for (auto const& [key, table] : root.table("material").tables())
       scene.materials.emplace(key, read_material(table));
   if (root.has("membrane"))
-    scene.membrane = read_membrane(root.table("membrane"), planar_or_ring, scene.lattice.dx);
+    scene.membrane = read_membrane(root.table("membrane"), symmetry_of_scene, scene.lattice.dx);
   if (root.has("contact")) scene.contact = read_contact(root.table("contact"));
   if (root.has("initial")) scene.initial = read_initial(root.table("initial"));
   if (root.has("probe"))
@@ -122,11 +127,14 @@ void reject(Scene const& scene, std::string const& key, std::string const& what)
 
 core::Symmetry symmetry(Scene const& scene)
 {
+  if (scene.fidelity == Fidelity::space) return core::Symmetry::none;
   bool const planar = scene.fidelity == Fidelity::planar ||
                       (scene.fidelity == Fidelity::hydrostatic && scene.membrane &&
                        scene.membrane->shape == MembraneShape::strip);
   return planar ? core::Symmetry::planar : core::Symmetry::axisymmetric;
 }
+
+int dimensions(Scene const& scene) { return core::dimensions(symmetry(scene)); }
 
 Boundary const* find_boundary(Scene const& scene, std::string const& name)
 {

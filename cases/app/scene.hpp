@@ -1,10 +1,12 @@
 #pragma once
 #include "cases/app/curve.hpp"
 #include "cases/app/scene_flow.hpp"
+#include "core/signed_distance.hpp"
 #include "core/symmetry.hpp"
 #include "core/vec.hpp"
 #include "lbm/fluid.hpp"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,14 +16,17 @@
 namespace velum::cases {
 
 using core::Vec2;
+using core::Vec3;
 using lbm::Collision;
 
-enum class Fidelity { hydrostatic, axisymmetric, planar };
-enum class Precision { double_, single_ };
+enum class Fidelity { hydrostatic, axisymmetric, planar, space };
+enum class Stencil { d2q9, d3q19, d3q27 };
+enum class Precision { double_, single_, half };
 enum class LesModel { auto_, off, smagorinsky };
-enum class SolidShape { box, disc, profile };
+enum class SolidShape { box, disc, profile, sphere, cylinder, stl };
 enum class Operation { add, subtract };
 enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, moving_wall };
+enum class Axis { x, y, z };
 enum class MembraneShape { disc, strip };
 enum class Rim { clamped, free };
 enum class ContactMethod { penalty, augmented_lagrangian };
@@ -29,23 +34,25 @@ enum class LipPressure { none, linear };
 enum class CouplingMethod { sharp, diffuse };
 enum class CouplingScheme { implicit, explicit_ };
 
-/// The grid of square cells from corner `from` to at least corner `to`.
+/// The grid of cells from corner `from` to at least corner `to`.
 struct Lattice {
   double dx;
-  Vec2 from, to;
+  Vec3 from, to;
   double mach = 0.1;                  // of the reference velocity; sets the time step
   std::optional<double> time_step{};  // replaces mach
   Collision collision = Collision::central_moments;
   double magic = 0.125;  // of TRT
   Precision precision = Precision::double_;
-  Vec2 shift{};  // of the grid against the geometry
-  bool periodic_x = false, periodic_y = false;
+  Vec3 shift{};  // of the grid against the geometry
+  std::array<bool, 3> periodic{};
+  unsigned mirrors = 0;  // sides that are planes of symmetry, as in lbm::Model
+  Stencil stencil = Stencil::d2q9;
 };
 
 struct FluidProperties {
   double density;
   double viscosity;   // kinematic
-  Vec2 body_force{};  // per mass: an acceleration
+  Vec3 body_force{};  // per mass: an acceleration
 };
 
 struct Les {
@@ -54,34 +61,41 @@ struct Les {
 };
 
 /// A rigid body: box from corner to corner, disc, or closed profile through its points. In a
-/// meridional plane these are a cylinder, a torus and a body of revolution.
+/// meridional plane these are a cylinder, a torus and a body of revolution. In space: box, sphere,
+/// cylinder with flat ends, profile revolved about the line y = z = 0, or the surface in an STL
+/// file.
 struct Solid {
   std::string name;
   SolidShape shape;
-  Vec2 from{}, to{};           // box
-  Vec2 centre{};               // disc
-  double radius = 0;           // disc
-  std::vector<Vec2> points{};  // profile; the last is joined to the first
-  double round = 0;            // radius of the convex corners, inside the outline
-  Vec2 shift{};
+  Vec3 from{}, to{};                  // box; ends of a cylinder's axis
+  Vec3 centre{};                      // disc, sphere
+  double radius = 0;                  // disc, sphere, cylinder
+  std::vector<Vec2> points{};         // profile; the last is joined to the first
+  double round = 0;                   // radius of the convex corners, inside the outline
+  std::string file{};                 // stl
+  core::SignedDistance<3> surface{};  // of the file
+  Vec3 shift{};
   Operation operation = Operation::add;
 };
 
 /// Where a boundary lies: the part of a side of the lattice box, or of a solid's surface, whose
-/// coordinate along the side (of a solid: whose second coordinate, the radius) is in [from, to].
+/// coordinate along the side (of a solid: whose second coordinate, the radius) is in [from, to]. A
+/// side in space has two coordinates, in the order x, y, z; a disc fills its bounds.
 struct Patch {
-  std::string side;  // "x-", "x+", "y-", "y+" or the name of a solid
-  double from, to;
+  std::string side;  // "x-", "x+" ... "z+" or the name of a solid
+  Vec2 from, to;
+  bool disc = false;
 };
 
 struct Boundary {
   std::string name;
   BoundaryKind kind;
   /// Over time: a pressure, a velocity (mean over a patch; of a moving wall along its side, in the
-  /// direction of the axis there) or a flow rate, as the kind says.
+  /// direction of an axis there) or a flow rate, as the kind says.
   Curve value;
   std::vector<Patch> patches;
   VelocityProfile profile = VelocityProfile::uniform;
+  Axis along = Axis::x;  // moving wall in space: axis of its motion
 };
 
 /// Incompressible neo-Hookean rubber with Rayleigh damping alpha M + beta K0.
@@ -134,7 +148,7 @@ struct Schedule {
   double steady = 0;    // ends the run below this relative change; 0: never
 };
 
-/// What a scene file says, in SI units, checked. Points are (axial, radial) or (x, y).
+/// What a scene file says, in SI units, checked. Points are (axial, radial), (x, y) or (x, y, z).
 struct Scene {
   std::string name;
   Fidelity fidelity;
@@ -165,8 +179,11 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
 /// Throws core::InputError: place of the key, the key, then what is wrong with it.
 [[noreturn]] void reject(Scene const& scene, std::string const& key, std::string const& what);
 
-/// Planar or axisymmetric; a hydrostatic scene follows its membrane.
+/// Planar, axisymmetric or none (space); a hydrostatic scene follows its membrane.
 core::Symmetry symmetry(Scene const& scene);
+
+/// Coordinates of a point of the scene: 2 or 3.
+int dimensions(Scene const& scene);
 
 /// The boundary of that name, or nullptr.
 Boundary const* find_boundary(Scene const& scene, std::string const& name);

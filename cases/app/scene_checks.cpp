@@ -17,7 +17,7 @@ namespace {
 
 std::string mm(double metres) { return fmt::format("{:.6g} mm", 1e3 * metres); }
 
-std::string coordinate(int axis) { return axis == 0 ? "first" : "second"; }
+std::string coordinate(int axis) { return axis == 0 ? "first" : axis == 1 ? "second" : "third"; }
 
 std::vector<std::string> solid_names(Scene const& scene)
 {
@@ -30,7 +30,7 @@ void check_lattice(Scene const& scene)
 {
   auto const& lattice = scene.lattice;
   double cells = 1;
-  for (int axis = 0; axis < 2; ++axis) {
+  for (int axis = 0; axis < dimensions(scene); ++axis) {
     double const width = lattice.to[axis] - lattice.from[axis];
     if (width <= 0)
       reject(scene, "lattice.to",
@@ -58,7 +58,7 @@ void check_solids(Scene const& scene)
     if (box_side(s.name))
       reject(scene, key, "has the name of a side of the lattice box; choose another one.");
     try {
-      solid(scene, s.name);
+      solid_distance(scene, s.name);
     } catch (core::InputError const& error) {
       reject(scene, key, fmt::format("cannot be built: {}", error.what()));
     }
@@ -68,23 +68,29 @@ void check_solids(Scene const& scene)
 void check_range(Scene const& scene, Patch const& patch, std::string const& key)
 {
   auto const side = box_side(patch.side);
-  int const axis = side ? 1 - side->axis : 1;
   double const slack = 1e-6 * scene.lattice.dx;
-  for (auto const& [end, at] : {std::pair{".from", patch.from}, {".to", patch.to}})
-    if (at < scene.lattice.from[axis] - slack || at > scene.lattice.to[axis] + slack)
-      reject(scene, key + end,
-             fmt::format("= {} is outside the domain, which goes from {} to {} "
-                         "there.",
-                         mm(at), mm(scene.lattice.from[axis]), mm(scene.lattice.to[axis])));
+  for (int k = 0; k + 1 < dimensions(scene); ++k) {
+    int const axis = side ? axis_along(*side, k) : 1;
+    for (auto const& [end, at] : {std::pair{".from", patch.from[k]}, {".to", patch.to[k]}})
+      if (at < scene.lattice.from[axis] - slack || at > scene.lattice.to[axis] + slack)
+        reject(scene, patch.disc ? key + ".radius" : key + end,
+               fmt::format("= {} is outside the domain, which goes from {} to {} "
+                           "there.",
+                           mm(at), mm(scene.lattice.from[axis]), mm(scene.lattice.to[axis])));
+  }
 }
 
 void check_patch(Scene const& scene, Patch const& patch, std::string const& key)
 {
-  if (!box_side(patch.side) && !find_solid(scene, patch.side)) {
-    auto sides = solid_names(scene);
-    sides.insert(sides.begin(), {"x-", "x+", "y-", "y+"});
-    reject_name(scene, key + ".side", patch.side, "side or solid", sides);
+  auto const side = box_side(patch.side);
+  bool const space = dimensions(scene) == 3;
+  auto names = side_names(dimensions(scene));
+  if (!space) {
+    auto const solids = solid_names(scene);
+    names.insert(names.end(), solids.begin(), solids.end());
   }
+  if (side ? side->axis >= dimensions(scene) : space || !find_solid(scene, patch.side))
+    reject_name(scene, key + ".side", patch.side, space ? "side" : "side or solid", names);
   if (patch.side == "y-" && symmetry(scene) == core::Symmetry::axisymmetric &&
       scene.lattice.from[1] == 0)
     reject(scene, key + ".side", "= \"y-\" is the axis of symmetry; nothing can enter there.");
@@ -93,7 +99,16 @@ void check_patch(Scene const& scene, Patch const& patch, std::string const& key)
     reject(scene, key,
            fmt::format("lies on a closed wall: from {} to {} no fluid cell opens to "
                        "\"{}\"; move the patch or the solid.",
-                       mm(patch.from), mm(patch.to), patch.side));
+                       mm(patch.from[0]), mm(patch.to[0]), patch.side));
+}
+
+/// Whether the bounds of two patches overlap; discs are taken for the squares around them.
+bool overlap(Patch const& a, Patch const& b, int dimensions)
+{
+  if (a.side != b.side) return false;
+  for (int k = 0; k + 1 < dimensions; ++k)
+    if (b.from[k] >= a.to[k] || a.from[k] >= b.to[k]) return false;
+  return true;
 }
 
 void check_boundaries(Scene const& scene)
@@ -107,7 +122,7 @@ void check_boundaries(Scene const& scene)
       std::string const patch_key = fmt::format("{}.patches[{}]", key, k);
       check_patch(scene, patch, patch_key);
       for (auto const& [other_key, other] : seen)
-        if (other.side == patch.side && other.from < patch.to && patch.from < other.to)
+        if (overlap(patch, other, dimensions(scene)))
           reject(scene, patch_key, fmt::format("overlaps {}.", other_key));
       seen.emplace_back(patch_key, patch);
     }

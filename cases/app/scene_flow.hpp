@@ -9,8 +9,8 @@ namespace velum::cases {
 
 enum class InitialKind { rest, taylor_green, shear_layer };
 enum class VelocityProfile { uniform, parabolic };
-enum class ProbeKind { point, force, pressure_difference };
-enum class ReferenceKind { points, taylor_green, pipe, body };
+enum class ProbeKind { point, force, pressure_difference, kinetic_energy };
+enum class ReferenceKind { points, taylor_green, pipe, body, dissipation };
 
 /// The flow at t = 0 (cases/app/initial_state.hpp has the formulas).
 struct InitialState {
@@ -24,16 +24,17 @@ struct InitialState {
 struct Probe {
   std::string name;
   ProbeKind kind;
-  core::Vec2 from{};    // point; the place whose pressure counts positive
-  core::Vec2 to{};      // pressure_difference: the other place
+  core::Vec3 from{};    // point; the place whose pressure counts positive
+  core::Vec3 to{};      // pressure_difference: the other place
   std::string solid{};  // force: the body
 };
 
 /// What a run compares its result with.
 struct Reference {
   ReferenceKind kind;
-  std::string file{};        // points, body: a table beside the scene
+  std::string file{};        // points, body, dissipation: a table beside the scene
   double length = 0;         // of the Reynolds number; pipe: the radius
+  std::string energy{};      // dissipation: name of a probe
   std::string force{};       // body: name of a probe
   std::string difference{};  // body: name of a probe, or empty
 };

@@ -1,15 +1,28 @@
 #include "cases/app/scene_sections.hpp"
 
+#include "cases/app/geometry.hpp"
+
 #include <fmt/format.h>
 
 namespace velum::cases {
 
 using core::Dimension;
 
+namespace {
+
+std::vector<std::string> axis_names(int dimensions)
+{
+  std::vector<std::string> names = {"x", "y", "z"};
+  names.resize(static_cast<std::size_t>(dimensions));
+  return names;
+}
+
+}  // namespace
+
 Lattice read_lattice(SceneTable table)
 {
   table.allow({"dx", "from", "to", "mach", "time_step", "collision", "magic", "precision", "shift",
-               "periodic"});
+               "periodic", "symmetry", "stencil"});
   Lattice lattice{.dx = table.quantity("dx", Dimension::length, Sign::positive),
                   .from = table.point("from"),
                   .to = table.point("to")};
@@ -22,8 +35,19 @@ Lattice read_lattice(SceneTable table)
   lattice.precision = table.choice<Precision>("precision", lattice.precision);
   lattice.shift = table.point("shift", lattice.shift);
   if (table.has("periodic"))
-    for (auto const& axis : table.texts("periodic", {"x", "y"}))
-      (axis == "x" ? lattice.periodic_x : lattice.periodic_y) = true;
+    for (auto const& axis : table.texts("periodic", axis_names(table.dimensions())))
+      lattice.periodic[static_cast<std::size_t>(axis[0] - 'x')] = true;
+  if (table.has("symmetry"))
+    for (auto const& side : table.texts("symmetry", side_names(table.dimensions())))
+      lattice.mirrors |= lbm::mirror(side[0] - 'x', side[1] == '+');
+  bool const space = table.dimensions() == 3;
+  lattice.stencil = table.choice<Stencil>("stencil", space ? Stencil::d3q19 : Stencil::d2q9);
+  if (space == (lattice.stencil == Stencil::d2q9))
+    table.fail("stencil", fmt::format("cannot be \"{}\" in {}", word(lattice.stencil),
+                                      space ? "space; \"d3q19\" or \"d3q27\" can."
+                                            : "a plane; only \"d2q9\" can."));
+  if (lattice.collision == Collision::cumulant && lattice.stencil != Stencil::d3q27)
+    table.fail("collision", "= \"cumulant\" needs stencil = \"d3q27\", in a 3d scene.");
   return lattice;
 }
 
@@ -49,14 +73,62 @@ Les read_les(SceneTable table)
 
 namespace {
 
-std::vector<Patch> read_patches(SceneTable& table)
+/// A patch in space: a rectangle from corner to corner, a disc, or the whole side.
+Patch patch_in_space(SceneTable& entry)
+{
+  bool const disc = entry.has("centre") || entry.has("radius");
+  entry.allow(disc ? std::vector<std::string>{"side", "centre", "radius"}
+                   : std::vector<std::string>{"side", "from", "to"},
+              disc ? " with a disc" : "");
+  Patch patch{entry.text("side"), {}, {}, disc};
+  if (disc) {
+    Vec2 const centre = entry.pair("centre");
+    double const radius = entry.quantity("radius", Dimension::length, Sign::positive);
+    patch.from = centre - Vec2{radius, radius};
+    patch.to = centre + Vec2{radius, radius};
+  } else {
+    patch.from = entry.pair("from");
+    patch.to = entry.pair("to");
+  }
+  return patch;
+}
+
+Patch patch_in_plane(SceneTable& entry)
+{
+  entry.allow({"side", "from", "to"});
+  return {entry.text("side"),
+          {entry.quantity("from", Dimension::length), 0},
+          {entry.quantity("to", Dimension::length), 0}};
+}
+
+/// The whole of a side of the box.
+Patch whole_side(SceneTable& entry, Lattice const& lattice)
+{
+  Patch patch{entry.text("side"), {}, {}};
+  auto const side = box_side(patch.side);
+  if (!side)
+    entry.fail("from", fmt::format("is missing; without it a patch is a whole side of the box, and "
+                                   "\"{}\" is none.",
+                                   patch.side));
+  for (int k = 0; k + 1 < entry.dimensions(); ++k) {
+    patch.from[k] = lattice.from[axis_along(*side, k)];
+    patch.to[k] = lattice.to[axis_along(*side, k)];
+  }
+  return patch;
+}
+
+std::vector<Patch> read_patches(SceneTable& table, Lattice const& lattice)
 {
   std::vector<Patch> patches;
   for (auto& entry : table.list("patches")) {
-    entry.allow({"side", "from", "to"});
-    Patch const patch{entry.text("side"), entry.quantity("from", Dimension::length),
-                      entry.quantity("to", Dimension::length)};
-    if (patch.from >= patch.to) entry.fail("to", "must be larger than \"from\".");
+    entry.allow({"side", "from", "to", "centre", "radius"});
+    bool const whole =
+        !entry.has("from") && !entry.has("to") && !entry.has("centre") && !entry.has("radius");
+    Patch const patch = whole                     ? whole_side(entry, lattice)
+                        : entry.dimensions() == 3 ? patch_in_space(entry)
+                                                  : patch_in_plane(entry);
+    for (int k = 0; k + 1 < entry.dimensions(); ++k)
+      if (patch.from[k] >= patch.to[k]) entry.fail("to", "must be larger than \"from\".");
     patches.push_back(patch);
   }
   return patches;
@@ -64,9 +136,10 @@ std::vector<Patch> read_patches(SceneTable& table)
 
 }  // namespace
 
-Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmetry)
+Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmetry,
+                       Lattice const& lattice)
 {
-  table.allow({"kind", "pressure", "velocity", "flow_rate", "patches", "profile"});
+  table.allow({"kind", "pressure", "velocity", "flow_rate", "patches", "profile", "along"});
   auto const kind = table.choice<BoundaryKind>("kind");
   bool const has_pressure = kind == BoundaryKind::traction || kind == BoundaryKind::pressure ||
                             kind == BoundaryKind::outflow;
@@ -76,6 +149,8 @@ Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmet
   bool const has_profile = kind == BoundaryKind::traction || kind == BoundaryKind::velocity ||
                            kind == BoundaryKind::flow_rate;
   if (has_profile) keys.push_back("profile");
+  bool const has_axis = kind == BoundaryKind::moving_wall && table.dimensions() == 3;
+  if (has_axis) keys.push_back("along");
   table.allow(keys, fmt::format(" with kind = \"{}\"", word(kind)));
 
   Boundary boundary{std::move(name), kind, {}, {}};
@@ -91,7 +166,8 @@ Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmet
         key, Dimension::time,
         symmetry == core::Symmetry::planar ? Dimension::flow_rate_per_depth : Dimension::flow_rate);
   }
-  boundary.patches = read_patches(table);
+  if (has_axis) boundary.along = table.choice<Axis>("along");
+  boundary.patches = read_patches(table, lattice);
   return boundary;
 }
 

@@ -62,16 +62,21 @@ Probe read_probe(SceneTable table, std::string name)
       probe.from = table.point("from");
       probe.to = table.point("to");
       break;
+    case ProbeKind::kinetic_energy:
+      table.allow({"kind"}, condition);
+      break;
   }
   return probe;
 }
 
 Reference read_reference(SceneTable table)
 {
-  table.allow({"kind", "file", "length", "radius", "force", "pressure_difference"});
+  table.allow(
+      {"kind", "file", "length", "radius", "force", "pressure_difference", "kinetic_energy"});
   Reference reference{.kind = table.choice<ReferenceKind>("kind")};
   std::string const condition = fmt::format(" with kind = \"{}\"", word(reference.kind));
   bool const body = reference.kind == ReferenceKind::body;
+  bool const dissipation = reference.kind == ReferenceKind::dissipation;
   if (reference.kind == ReferenceKind::taylor_green) {
     table.allow({"kind"}, condition);
   } else if (reference.kind == ReferenceKind::pipe) {
@@ -80,13 +85,12 @@ Reference read_reference(SceneTable table)
   } else {
     std::vector<std::string> keys{"kind", "file", "length"};
     if (body) keys.insert(keys.end(), {"force", "pressure_difference"});
+    if (dissipation) keys.push_back("kinetic_energy");
     table.allow(keys, condition);
-    reference.file = table.text("file");
-    // The results folder gets a copy, so that the scene as run can be run again from there.
-    if (reference.file.find('/') != std::string::npos)
-      table.fail("file", "must be the name of a file in the folder of the scene, without slashes.");
+    reference.file = table.file_name("file");
     reference.length = table.quantity("length", Dimension::length, Sign::positive);
     if (body) reference.force = table.text("force");
+    if (dissipation) reference.energy = table.text("kinetic_energy");
     if (table.has("pressure_difference")) reference.difference = table.text("pressure_difference");
   }
   return reference;

@@ -10,7 +10,8 @@ Lattice read_lattice(SceneTable table);
 FluidProperties read_fluid(SceneTable table);
 Les read_les(SceneTable table);
 Solid read_solid(SceneTable table, std::string name);
-Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmetry);
+Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmetry,
+                       Lattice const& lattice);
 Material read_material(SceneTable table);
 MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx);
 ContactPair read_contact(SceneTable table);

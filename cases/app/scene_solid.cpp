@@ -1,5 +1,8 @@
 #include "cases/app/scene_sections.hpp"
 
+#include "core/geometry/mesh_distance.hpp"
+#include "core/geometry/stl.hpp"
+
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -10,18 +13,33 @@ using core::Dimension;
 
 namespace {
 
-std::vector<std::string> keys_of(SolidShape shape)
+bool is_of_space(SolidShape shape)
+{
+  return shape == SolidShape::sphere || shape == SolidShape::cylinder || shape == SolidShape::stl;
+}
+
+std::vector<std::string> keys_of(SolidShape shape, int dimensions)
 {
   std::vector<std::string> keys{"shape", "shift", "operation"};
   switch (shape) {
     case SolidShape::box:
-      keys.insert(keys.begin() + 1, {"from", "to", "round"});
+      keys.insert(keys.begin() + 1, {"from", "to"});
+      if (dimensions == 2) keys.push_back("round");
       break;
     case SolidShape::disc:
       keys.insert(keys.begin() + 1, {"centre", "radius"});
       break;
     case SolidShape::profile:
       keys.insert(keys.begin() + 1, {"points", "round"});
+      break;
+    case SolidShape::sphere:
+      keys.insert(keys.begin() + 1, {"centre", "radius"});
+      break;
+    case SolidShape::cylinder:
+      keys.insert(keys.begin() + 1, {"from", "to", "radius"});
+      break;
+    case SolidShape::stl:
+      keys.insert(keys.begin() + 1, {"file", "unit"});
       break;
   }
   return keys;
@@ -78,31 +96,63 @@ std::vector<Vec2> read_contour(SceneTable& table)
   return points;
 }
 
+/// The solid in an STL file as a distance; what has no inside is refused.
+core::SignedDistance<3> read_surface(SceneTable& table, std::string const& file)
+{
+  double const unit = table.quantity("unit", Dimension::length, Sign::positive);
+  auto const mesh = core::read_stl(table.beside(file), unit);
+  auto const topology = core::topology(mesh);
+  if (!core::is_watertight(topology))
+    table.fail("file", fmt::format("= \"{}\" is not the closed surface of a solid: it has {} open "
+                                   "edges and {} of more than two triangles; `velum stl` reports "
+                                   "what is wrong with it.",
+                                   file, topology.open_edges, topology.non_manifold_edges));
+  return core::mesh_distance(mesh);
+}
+
 }  // namespace
 
 Solid read_solid(SceneTable table, std::string name)
 {
-  table.allow({"shape", "from", "to", "centre", "radius", "points", "round", "shift", "operation"});
+  table.allow({"shape", "from", "to", "centre", "radius", "points", "round", "file", "unit",
+               "shift", "operation"});
   Solid solid{.name = std::move(name), .shape = table.choice<SolidShape>("shape")};
-  table.allow(keys_of(solid.shape), fmt::format(" with shape = \"{}\"", word(solid.shape)));
+  bool const space = table.dimensions() == 3;
+  if (space ? solid.shape == SolidShape::disc : is_of_space(solid.shape))
+    table.fail("shape", fmt::format("cannot be \"{}\" in {}.", word(solid.shape),
+                                    space ? "space; \"sphere\" and \"cylinder\" can"
+                                          : "a plane; \"disc\" and \"profile\" can"));
+  table.allow(keys_of(solid.shape, table.dimensions()),
+              fmt::format(" with shape = \"{}\"", word(solid.shape)));
 
   switch (solid.shape) {
     case SolidShape::box:
       solid.from = table.point("from");
       solid.to = table.point("to");
-      if (solid.from[0] >= solid.to[0] || solid.from[1] >= solid.to[1])
-        table.fail("to", "must be larger than \"from\" in both coordinates.");
+      for (int a = 0; a < table.dimensions(); ++a)
+        if (solid.from[a] >= solid.to[a])
+          table.fail("to", "must be larger than \"from\" in every coordinate.");
       break;
     case SolidShape::disc:
+    case SolidShape::sphere:
       solid.centre = table.point("centre");
+      solid.radius = table.quantity("radius", Dimension::length, Sign::positive);
+      break;
+    case SolidShape::cylinder:
+      solid.from = table.point("from");
+      solid.to = table.point("to");
       solid.radius = table.quantity("radius", Dimension::length, Sign::positive);
       break;
     case SolidShape::profile:
       solid.points = read_contour(table);
       break;
+    case SolidShape::stl:
+      solid.file = table.file_name("file");
+      solid.surface = read_surface(table, solid.file);
+      break;
   }
   solid.round = table.quantity("round", Dimension::length, Sign::not_negative, 0.0);
-  solid.shift = table.point("shift", Vec2{});
+  solid.shift = table.point("shift", Vec3{});
   solid.operation = table.choice<Operation>("operation", Operation::add);
   return solid;
 }

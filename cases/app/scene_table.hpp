@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct Origins {
   std::string file;
   std::vector<std::string> overridden;        // keys given by --set
   std::map<std::string, std::string> places;  // of every key that was read
+  int dimensions = 2;                         // coordinates of a point
 };
 
 /// One table of a scene while it is read. Every function that reads a key notes its place, and
@@ -54,10 +56,20 @@ class SceneTable {
   std::vector<std::string> texts(std::string const& key, std::vector<std::string> const& words);
   /// Values with their units, in SI, positive, at least one.
   std::vector<double> quantities(std::string const& key, core::Dimension dimension);
-  /// Two values of a dimension, in SI.
-  Vec2 vector(std::string const& key, core::Dimension dimension);
+  /// Says how many coordinates a point of the scene has; 2 until then.
+  void set_dimensions(int dimensions) { origins_->dimensions = dimensions; }
+  int dimensions() const { return origins_->dimensions; }
+  /// A value of a dimension for each coordinate, in SI.
+  Vec3 vector(std::string const& key, core::Dimension dimension);
+  /// A length for each coordinate.
+  Vec3 point(std::string const& key, std::optional<Vec3> fallback = {});
   /// Two lengths.
-  Vec2 point(std::string const& key, std::optional<Vec2> fallback = {});
+  Vec2 pair(std::string const& key);
+  /// Name of a file in the folder of the scene; the results folder gets a copy, so that the scene
+  /// as run can be run again from there.
+  std::string file_name(std::string const& key);
+  /// Where such a file is.
+  std::filesystem::path beside(std::string const& name) const;
   /// Rows of two lengths.
   std::vector<Vec2> points(std::string const& key);
   /// A single value, or a table of rows [argument, value] with increasing arguments.
@@ -81,9 +93,10 @@ class SceneTable {
   toml::node const& require(std::string const& key, std::string const& what);
   double quantity_of(toml::node const& node, std::string const& path, core::Dimension dimension,
                      Sign sign) const;
-  toml::array const& row_of_two(toml::node const& node, std::string const& path,
-                                std::string const& what) const;
-  Vec2 point_of(toml::node const& node, std::string const& path) const;
+  toml::array const& row_of(std::size_t n, toml::node const& node, std::string const& path,
+                            std::string const& what) const;
+  Vec3 values_of(int n, toml::node const& node, std::string const& path,
+                 core::Dimension dimension) const;
   std::string word_of(std::string const& key, std::vector<std::string> const& words, bool required);
 
   toml::table const* table_;

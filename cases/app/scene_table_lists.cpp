@@ -9,35 +9,67 @@
 /// The part of SceneTable that reads values which are arrays.
 namespace velum::cases {
 
-toml::array const& SceneTable::row_of_two(toml::node const& node, std::string const& path,
-                                          std::string const& what) const
+namespace {
+
+/// "two lengths, such as ["1 mm", "1 mm"]"
+std::string row_wanted(int n, core::Dimension dimension)
+{
+  std::string const what = dimension == core::Dimension::length ? "lengths" : "values";
+  std::string const one = fmt::format("\"{}\"", example(dimension));
+  return fmt::format("{} {}, such as [{}]", n == 2 ? "two" : "three", what,
+                     fmt::join(std::vector<std::string>(static_cast<std::size_t>(n), one), ", "));
+}
+
+}  // namespace
+
+toml::array const& SceneTable::row_of(std::size_t n, toml::node const& node,
+                                      std::string const& path, std::string const& what) const
 {
   auto const* row = node.as_array();
-  if (!row || row->size() != 2)
+  if (!row || row->size() != n)
     fail_at(node, path, fmt::format("must be {}, but is {}.", what, describe(node)));
   return *row;
 }
 
-Vec2 SceneTable::point_of(toml::node const& node, std::string const& path) const
+Vec3 SceneTable::values_of(int n, toml::node const& node, std::string const& path,
+                           core::Dimension dimension) const
 {
-  auto const& row = row_of_two(node, path, "two lengths, such as [\"1 mm\", \"2 mm\"]");
-  return {quantity_of(*row.get(0), path + "[0]", core::Dimension::length, Sign::any),
-          quantity_of(*row.get(1), path + "[1]", core::Dimension::length, Sign::any)};
+  auto const& row = row_of(static_cast<std::size_t>(n), node, path, row_wanted(n, dimension));
+  Vec3 values;
+  for (int a = 0; a < n; ++a)
+    values[a] = quantity_of(*row.get(static_cast<std::size_t>(a)), fmt::format("{}[{}]", path, a),
+                            dimension, Sign::any);
+  return values;
 }
 
-Vec2 SceneTable::point(std::string const& key, std::optional<Vec2> fallback)
+Vec3 SceneTable::point(std::string const& key, std::optional<Vec3> fallback)
 {
-  if (fallback && !has(key)) return *fallback;
-  return point_of(require(key, "two lengths, such as [\"1 mm\", \"2 mm\"]"), full(key));
+  return fallback && !has(key) ? *fallback : vector(key, core::Dimension::length);
 }
 
-Vec2 SceneTable::vector(std::string const& key, core::Dimension dimension)
+Vec3 SceneTable::vector(std::string const& key, core::Dimension dimension)
 {
-  std::string const wanted =
-      fmt::format("two values, such as [\"{0}\", \"{0}\"]", example(dimension));
-  auto const& row = row_of_two(require(key, wanted), full(key), wanted);
-  return {quantity_of(*row.get(0), full(key) + "[0]", dimension, Sign::any),
-          quantity_of(*row.get(1), full(key) + "[1]", dimension, Sign::any)};
+  int const n = dimensions();
+  return values_of(n, require(key, row_wanted(n, dimension)), full(key), dimension);
+}
+
+Vec2 SceneTable::pair(std::string const& key)
+{
+  auto const length = core::Dimension::length;
+  return core::in_plane(values_of(2, require(key, row_wanted(2, length)), full(key), length));
+}
+
+std::string SceneTable::file_name(std::string const& key)
+{
+  auto const name = text(key);
+  if (name.find('/') != std::string::npos)
+    fail(key, "must be the name of a file in the folder of the scene, without slashes.");
+  return name;
+}
+
+std::filesystem::path SceneTable::beside(std::string const& name) const
+{
+  return std::filesystem::path(origins_->file).parent_path() / name;
 }
 
 std::vector<double> SceneTable::quantities(std::string const& key, core::Dimension dimension)
@@ -87,7 +119,8 @@ std::vector<Vec2> SceneTable::points(std::string const& key)
   if (!rows) fail_at(node, full(key), "must be " + wanted + ", but is " + describe(node) + '.');
   std::vector<Vec2> points;
   for (std::size_t k = 0; k < rows->size(); ++k)
-    points.push_back(point_of(*rows->get(k), fmt::format("{}[{}]", full(key), k)));
+    points.push_back(core::in_plane(
+        values_of(2, *rows->get(k), fmt::format("{}[{}]", full(key), k), core::Dimension::length)));
   return points;
 }
 
@@ -105,7 +138,7 @@ Curve SceneTable::curve(std::string const& key, core::Dimension argument, core::
   Curve curve;
   for (std::size_t k = 0; k < rows->size(); ++k) {
     std::string const path = fmt::format("{}[{}]", full(key), k);
-    auto const& entry = row_of_two(*rows->get(k), path, "a row " + row);
+    auto const& entry = row_of(2, *rows->get(k), path, "a row " + row);
     double const at = quantity_of(*entry.get(0), path + "[0]", argument, Sign::any);
     if (k > 0 && at <= curve.at.back())
       fail_at(entry, path,

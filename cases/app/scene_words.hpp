@@ -16,18 +16,25 @@ inline Words<Fidelity> words(Fidelity)
 {
   return {{"hydrostatic", Fidelity::hydrostatic},
           {"axisymmetric", Fidelity::axisymmetric},
-          {"planar", Fidelity::planar}};
+          {"planar", Fidelity::planar},
+          {"3d", Fidelity::space}};
 }
 inline Words<Collision> words(Collision)
 {
   return {{"bgk", Collision::bgk},
           {"trt", Collision::trt},
           {"recursive_regularised", Collision::recursive_regularised},
-          {"central_moments", Collision::central_moments}};
+          {"central_moments", Collision::central_moments},
+          {"cumulant", Collision::cumulant}};
 }
 inline Words<Precision> words(Precision)
 {
-  return {{"double", Precision::double_}, {"single", Precision::single_}};
+  return {
+      {"double", Precision::double_}, {"single", Precision::single_}, {"half", Precision::half}};
+}
+inline Words<Stencil> words(Stencil)
+{
+  return {{"d2q9", Stencil::d2q9}, {"d3q19", Stencil::d3q19}, {"d3q27", Stencil::d3q27}};
 }
 inline Words<LesModel> words(LesModel)
 {
@@ -36,7 +43,9 @@ inline Words<LesModel> words(LesModel)
 }
 inline Words<SolidShape> words(SolidShape)
 {
-  return {{"box", SolidShape::box}, {"disc", SolidShape::disc}, {"profile", SolidShape::profile}};
+  return {{"box", SolidShape::box},           {"disc", SolidShape::disc},
+          {"profile", SolidShape::profile},   {"sphere", SolidShape::sphere},
+          {"cylinder", SolidShape::cylinder}, {"stl", SolidShape::stl}};
 }
 inline Words<Operation> words(Operation)
 {
@@ -48,6 +57,7 @@ inline Words<BoundaryKind> words(BoundaryKind)
           {"velocity", BoundaryKind::velocity}, {"flow_rate", BoundaryKind::flow_rate},
           {"outflow", BoundaryKind::outflow},   {"moving_wall", BoundaryKind::moving_wall}};
 }
+inline Words<Axis> words(Axis) { return {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}}; }
 inline Words<VelocityProfile> words(VelocityProfile)
 {
   return {{"uniform", VelocityProfile::uniform}, {"parabolic", VelocityProfile::parabolic}};
@@ -62,14 +72,16 @@ inline Words<ProbeKind> words(ProbeKind)
 {
   return {{"point", ProbeKind::point},
           {"force", ProbeKind::force},
-          {"pressure_difference", ProbeKind::pressure_difference}};
+          {"pressure_difference", ProbeKind::pressure_difference},
+          {"kinetic_energy", ProbeKind::kinetic_energy}};
 }
 inline Words<ReferenceKind> words(ReferenceKind)
 {
   return {{"points", ReferenceKind::points},
           {"taylor_green", ReferenceKind::taylor_green},
           {"pipe", ReferenceKind::pipe},
-          {"body", ReferenceKind::body}};
+          {"body", ReferenceKind::body},
+          {"dissipation", ReferenceKind::dissipation}};
 }
 inline Words<MembraneShape> words(MembraneShape)
 {

@@ -1,41 +1,29 @@
 #include "cases/app/speed.hpp"
 
-#include "lbm/stream_and_collide.hpp"
-
-#include <Kokkos_Core.hpp>
+#include "cases/app/format.hpp"
+#include "cases/app/time_steps.hpp"
 
 #include <algorithm>
 
 namespace velum::cases {
 namespace {
 
-template <class Real>
-double mlups(int nx, int ny, core::Symmetry symmetry, lbm::Model const& model)
-{
-  auto fluid = lbm::make_fluid<Real>(nx, ny, {0, 0}, symmetry, model);
-  lbm::stream_and_collide(fluid);  // the first touch of the memory is not the speed of a run
-  Kokkos::fence();
-  Kokkos::Timer clock;
-  int steps = 0;
-  while (clock.seconds() < 0.3) {
-    for (int k = 0; k < 4; ++k) lbm::stream_and_collide(fluid);
-    Kokkos::fence();
-    steps += 4;
-  }
-  return 1e-6 * steps * nx * ny / clock.seconds();
-}
+constexpr int longest_side = 1000, longest_side_in_space = 100;
 
 }  // namespace
 
 double measured_mlups(Scene const& scene, Derived const& derived)
 {
-  int const nx = std::min(derived.grid.nx, 1000), ny = std::min(derived.grid.ny, 1000);
+  auto const& grid = derived.grid;
+  int const most = dimensions(scene) == 3 ? longest_side_in_space : longest_side;
+  int const nx = std::min(grid.nx, most), ny = std::min(grid.ny, most),
+            nz = std::min(grid.nz, most);
   lbm::Model const model{.collision = scene.lattice.collision,
                          .viscosity = derived.viscosity,
                          .magic = scene.lattice.magic};
-  return scene.lattice.precision == Precision::single_
-             ? mlups<float>(nx, ny, derived.grid.symmetry, model)
-             : mlups<double>(nx, ny, derived.grid.symmetry, model);
+  return with_format(scene.lattice, [&]<class Real, class L, class Stored>() {
+    return time_steps(lbm::make_fluid<Real, L, Stored>(nx, ny, {}, grid.symmetry, model, nz));
+  });
 }
 
 }  // namespace velum::cases

@@ -7,11 +7,12 @@ namespace velum::cases {
 bool SteadyTest::passed(lbm::CellStates const& cells)
 {
   std::vector<double> now;
-  now.reserve(2 * cells.size());
+  now.reserve(3 * cells.size());
   for (std::size_t j = 0; j < cells.extent(0); ++j)
     for (std::size_t i = 0; i < cells.extent(1); ++i) {
       now.push_back(cells(j, i).ux);
       now.push_back(cells(j, i).uy);
+      now.push_back(cells(j, i).uz);
     }
   double changed = 0, whole = 0;
   for (std::size_t k = 0; k < before_.size(); ++k) {

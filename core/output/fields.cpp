@@ -21,6 +21,19 @@ hid_t type_of(std::vector<float> const&) { return H5T_NATIVE_FLOAT; }
 hid_t type_of(std::vector<double> const&) { return H5T_NATIVE_DOUBLE; }
 hid_t type_of(std::vector<std::int32_t> const&) { return H5T_NATIVE_INT32; }
 
+char const* name_of(Symmetry symmetry)
+{
+  switch (symmetry) {
+    case Symmetry::planar:
+      return "planar";
+    case Symmetry::axisymmetric:
+      return "axisymmetric";
+    case Symmetry::none:
+      break;
+  }
+  return "none";
+}
+
 /// Claims a name within one group.
 void claim(std::set<std::string>& taken, std::string const& name)
 {
@@ -95,6 +108,15 @@ Field vector_field(std::string name, std::string unit, std::vector<Vec2> const& 
   return {std::move(name), std::move(unit), 3, std::move(flat)};
 }
 
+Field vector_field(std::string name, std::string unit, std::vector<Vec3> const& values)
+{
+  std::vector<float> flat;  // a field in space is large, and drawn
+  flat.reserve(3 * values.size());
+  for (auto const& value : values)
+    for (double const component : value.c) flat.push_back(static_cast<float>(component));
+  return {std::move(name), std::move(unit), 3, std::move(flat)};
+}
+
 FieldsFile create_fields(std::filesystem::path const& folder, Grid const& grid,
                          Assumptions const& assumptions)
 {
@@ -105,8 +127,11 @@ FieldsFile create_fields(std::filesystem::path const& folder, Grid const& grid,
   hdf5::write_attribute(root, "dx [m]", grid.dx);
   hdf5::write_attribute(root, "origin axial [m]", grid.origin[0]);
   hdf5::write_attribute(root, "origin radial [m]", grid.origin[1]);
-  hdf5::write_attribute(root, "symmetry",
-                        grid.symmetry == Symmetry::axisymmetric ? "axisymmetric" : "planar");
+  if (dimensions(grid.symmetry) == 3) {
+    hdf5::write_attribute(root, "nz", grid.nz);
+    hdf5::write_attribute(root, "origin third [m]", grid.origin[2]);
+  }
+  hdf5::write_attribute(root, "symmetry", name_of(grid.symmetry));
   for (auto const& [name, text] : assumptions)
     hdf5::write_attribute(root, "assumption: " + name, text);
   write_atomically(file.index, xdmf::index(file.times));
@@ -124,8 +149,10 @@ void write_fields(FieldsFile& file, double time, std::vector<Field> const& fluid
     hdf5::write_attribute(dump, "time", time);
 
     auto const group = hdf5::create_group(dump, "fluid");
-    std::vector<hsize_t> const cells{static_cast<hsize_t>(file.grid.ny),
-                                     static_cast<hsize_t>(file.grid.nx)};
+    std::vector<hsize_t> cells{static_cast<hsize_t>(file.grid.ny),
+                               static_cast<hsize_t>(file.grid.nx)};
+    if (dimensions(file.grid.symmetry) == 3)
+      cells.insert(cells.begin(), static_cast<hsize_t>(file.grid.nz));
     members = xdmf::fluid(file.grid, write_all(group, path + "/fluid", fluid, cells, {}));
 
     std::set<std::string> taken{"fluid"};

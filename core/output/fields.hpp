@@ -19,8 +19,9 @@ struct Field {
   std::variant<std::vector<float>, std::vector<double>, std::vector<std::int32_t>> values;
 };
 
-/// A vector of the plane as a field of three components, the third zero, as viewers want it.
+/// A vector as a field of three components, as viewers want it; of the plane the third is zero.
 Field vector_field(std::string name, std::string unit, std::vector<Vec2> const& values);
+Field vector_field(std::string name, std::string unit, std::vector<Vec3> const& values);
 
 /// A line drawn through nodes: the mid-surface of a membrane or one of its wet faces. The nodes may
 /// move, and change in number, from dump to dump.
@@ -33,9 +34,9 @@ struct Curve {
 /// The fields of a run: run.h5 with the arrays, run.xmf with the XDMF 2.0 index that viewers open.
 ///
 /// In run.h5: group dump_000000, ... with attribute `time`, in it the group `fluid` and one group
-/// per curve, in these the arrays, each with attribute `unit`. Fluid arrays have shape [ny][nx] or
-/// [ny][nx][3]; a curve has `nodes` [n][3] besides. Attributes of the root: grid, symmetry and the
-/// run's assumptions in words.
+/// per curve, in these the arrays, each with attribute `unit`. Fluid arrays have shape [ny][nx], in
+/// space [nz][ny][nx], or that with [3] behind; a curve has `nodes` [n][3] besides. Attributes of
+/// the root: grid, symmetry and the run's assumptions in words.
 ///
 /// Both files are complete on the disk, and closed, between two dumps, so that a running or a
 /// crashed run opens.

@@ -29,19 +29,22 @@ std::string attributes(std::vector<Array> const& arrays, std::string_view centre
 
 std::string fluid(Grid const& grid, std::vector<Array> cell_arrays)
 {
-  for (auto& array : cell_arrays) array.extents.insert(array.extents.begin(), 1);
+  bool const flat = dimensions(grid.symmetry) == 2;
+  if (flat)
+    for (auto& array : cell_arrays) array.extents.insert(array.extents.begin(), 1);
   // Extents count nodes, slowest direction first. A layer without thickness makes the XDMF 2 reader
   // of VTK 9.1 lose its cell data, and it draws a 2DCoRectMesh in the wrong plane.
   return fmt::format(R"(      <Grid Name="fluid" GridType="Uniform">
-        <Topology TopologyType="3DCoRectMesh" Dimensions="2 {} {}"/>
+        <Topology TopologyType="3DCoRectMesh" Dimensions="{} {} {}"/>
         <Geometry GeometryType="ORIGIN_DXDYDZ">
           <DataItem Dimensions="3" NumberType="Float" Precision="8" Format="XML">{} {} {}</DataItem>
           <DataItem Dimensions="3" NumberType="Float" Precision="8" Format="XML">{} {} {}</DataItem>
         </Geometry>
 {}      </Grid>
 )",
-                     grid.ny + 1, grid.nx + 1, -grid.dx, grid.origin[1], grid.origin[0], grid.dx,
-                     grid.dx, grid.dx, attributes(cell_arrays, "Cell"));
+                     grid.nz + 1, grid.ny + 1, grid.nx + 1, flat ? -grid.dx : grid.origin[2],
+                     grid.origin[1], grid.origin[0], grid.dx, grid.dx, grid.dx,
+                     attributes(cell_arrays, "Cell"));
 }
 
 std::string curve(std::string const& name, Array const& nodes, Array const& node_list,

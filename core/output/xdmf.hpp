@@ -17,8 +17,8 @@ struct Array {
   std::size_t precision;    // bytes per number
 };
 
-/// The cells of the fluid as a uniform grid with arrays on the cells. It is one cell thick and lies
-/// behind the plane z = 0, so that curves drawn in that plane show before it.
+/// The cells of the fluid as a uniform grid with arrays on the cells. That of a plane is one cell
+/// thick and lies behind z = 0, so that curves drawn in that plane show before it.
 std::string fluid(Grid const& grid, std::vector<Array> cell_arrays);
 
 /// A polyline through nodes, with arrays on them.

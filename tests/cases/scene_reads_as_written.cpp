@@ -24,7 +24,7 @@ TEST(Scene, ValuesArriveInSiUnits)
   ASSERT_EQ(scene.boundaries.size(), 2u);
   EXPECT_EQ(scene.boundaries[0].name, "inlet");
   EXPECT_DOUBLE_EQ(cases::value_at(scene.boundaries[0].value, 1.0), 5e4);
-  EXPECT_DOUBLE_EQ(scene.boundaries[0].patches[0].to, 5e-3);
+  EXPECT_DOUBLE_EQ(scene.boundaries[0].patches[0].to[0], 5e-3);
   EXPECT_DOUBLE_EQ(scene.run.end, 1e-2);
 }
 
