@@ -51,17 +51,18 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
   long const cells = fluid.cells();
 
   Observation seen;
-  double rho_min = 0, rho_max = 0, mass = 0, squares = 0;
+  double rho_min = 0, rho_max = 0, mass = 0, squares = 0, largest = 0;
   long count = 0, not_finite = 0, clipped = 0;
   Kokkos::parallel_reduce(
       "velum::lbm::observe", Kokkos::RangePolicy<>(0, cells),
       KOKKOS_LAMBDA(long c, double& lo, double& hi, double& m, double& u2, long& n, long& bad,
-                    long& clip) {
+                    long& clip, double& fastest) {
         int const cell = from.cell_of(c);
         if (!from.active(cell)) return;
         Speed const s = speed(from, cell);
         n += 1;
         bad += s.finite ? 0 : 1;
+        if (s.squared > fastest) fastest = s.squared;
         if constexpr (Populations<Real, L, Stored>::fixed_point)
           for (int d = 0; d < L::Q; ++d) {
             int const stored = from.f.slots(d, cell);
@@ -74,14 +75,28 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
         m += core::ring(from.symmetry, from.origin[1] + int(c / from.nx) % from.ny + 0.5) * s.rho;
       },
       Kokkos::Min<double>(rho_min), Kokkos::Max<double>(rho_max), mass, squares, count, not_finite,
-      clipped);
+      clipped, Kokkos::Max<double>(largest));
   seen.cells = count;
   if (count == 0) return seen;
 
+  seen.speed_max = std::sqrt(largest);
+  seen.speed_squared_mean = squares / double(count);
+  seen.rho_min = rho_min;
+  seen.rho_max = rho_max;
+  seen.mass = mass;
+  seen.not_finite = not_finite;
+  seen.clipped = clipped > 0;
+  return seen;
+}
+
+template <class Real, class L, class Stored>
+CellPlace worst_cell(Fluid<Real, L, Stored> const& fluid)
+{
+  Fluid<Real, L, Stored> const from = fluid;
   using Worst = Kokkos::MaxLoc<double, long>;
   Worst::value_type fastest;
   Kokkos::parallel_reduce(
-      "velum::lbm::fastest_cell", Kokkos::RangePolicy<>(0, cells),
+      "velum::lbm::worst_cell", Kokkos::RangePolicy<>(0, fluid.cells()),
       KOKKOS_LAMBDA(long c, Worst::value_type& worst) {
         int const cell = from.cell_of(c);
         if (!from.active(cell)) return;
@@ -92,17 +107,8 @@ Observation observe(Fluid<Real, L, Stored> const& fluid)
         }
       },
       Worst(fastest));
-  seen.speed_max = std::sqrt(fastest.val);
-  seen.speed_squared_mean = squares / double(count);
-  seen.worst_i = int(fastest.loc % fluid.nx);
-  seen.worst_j = int(fastest.loc / fluid.nx % fluid.ny);
-  seen.worst_k = int(fastest.loc / fluid.nx / fluid.ny);
-  seen.rho_min = rho_min;
-  seen.rho_max = rho_max;
-  seen.mass = mass;
-  seen.not_finite = not_finite;
-  seen.clipped = clipped > 0;
-  return seen;
+  return {int(fastest.loc % fluid.nx), int(fastest.loc / fluid.nx % fluid.ny),
+          int(fastest.loc / fluid.nx / fluid.ny)};
 }
 
 template <class Real, class L, class Stored>
@@ -136,8 +142,9 @@ EddyViscosity eddy_viscosity(Fluid<Real, L, Stored> const& fluid)
   return {count ? sum / double(count) : 0, max > 0 ? max : 0};
 }
 
-#define VELUM_INSTANTIATE(Real, L, Stored)                     \
-  template Observation observe(Fluid<Real, L, Stored> const&); \
+#define VELUM_INSTANTIATE(Real, L, Stored)                      \
+  template CellPlace worst_cell(Fluid<Real, L, Stored> const&); \
+  template Observation observe(Fluid<Real, L, Stored> const&);  \
   template EddyViscosity eddy_viscosity(Fluid<Real, L, Stored> const&);
 VELUM_EACH_FLUID(VELUM_INSTANTIATE)
 #undef VELUM_INSTANTIATE

@@ -12,7 +12,6 @@ namespace {
 constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
 constexpr double relaxation = 0.2;             // of the velocity per step, damps the feedback loop
 constexpr double integral_gain = 2e-4;  // per step; below c_s / 4L for chambers up to 700 cells
-constexpr double slow_steps = 5000;     // memory of the outflow's mean velocity
 
 /// Velocity of the opening imposed by the half-way rule, whatever the distance q: an opening is
 /// where the scene puts it, and mass stays exact.
@@ -125,7 +124,7 @@ void apply(Fluid<Real, L, Stored>& fluid, Opening& opening, double target)
       double const wave = sound * (opening.slow_velocity - opening.velocity);
       opening.pressure += relaxation * (target + wave - opening.pressure);
       impose_pressure(fluid, opening, true);
-      opening.slow_velocity += (opening.velocity - opening.slow_velocity) / slow_steps;
+      opening.slow_velocity += (opening.velocity - opening.slow_velocity) / opening.memory;
       return;
     }
   }

@@ -22,6 +22,7 @@ struct Opening {
   double integral = 0;       // memory of the traction control
   double last_traction = 0;  // one step before traction, for the same
   double slow_velocity = 0;  // mean inflow that the outflow condition does not resist
+  double memory = 5000;      // steps over which it is the mean
   double pressure = 0;       // imposed in the last step, less that of the rest state
 
   double mass_flow = 0;  // into the fluid in the last step, mass per step

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
+#include "cases/app/fluid_scene.hpp"
 #include "cases/app/geometry.hpp"
 #include "cases/app/scene_words.hpp"
 
@@ -21,12 +24,24 @@ std::string mirrors_in_words(Scene const& scene)
                      fmt::join(sides, ", "));
 }
 
+std::string les_in_words(Scene const& scene, double smagorinsky)
+{
+  if (smagorinsky == 0) return "off";
+  if (scene.les.model == LesModel::vreman)
+    return fmt::format("Vreman, constant {:.3g}, set anew every {} steps, none next to walls",
+                       scene.les.constant, vreman_every);
+  return fmt::format("Smagorinsky, constant {:.3g}, but for the two cells next to walls",
+                     smagorinsky);
+}
+
 }  // namespace
 
 double smagorinsky_constant(Scene const& scene, bool sealed)
 {
   if (scene.les.model == LesModel::off) return 0;
   if (scene.les.model == LesModel::auto_ && sealed) return 0;
+  // the closure sets the factor on C^2 so that C cancels
+  if (scene.les.model == LesModel::vreman) return std::sqrt(scene.les.constant / 2.5);
   return scene.les.constant;
 }
 
@@ -43,11 +58,7 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
     a["collision"] =
         fmt::format("{} on {}, tau - 1/2 = {:.3g}, {} precision", word(scene.lattice.collision),
                     word(scene.lattice.stencil), d.tau_minus_half, word(scene.lattice.precision));
-    a["les"] =
-        smagorinsky > 0
-            ? fmt::format("Smagorinsky, constant {:.3g}, but for the two cells next to walls",
-                          smagorinsky)
-            : std::string("off");
+    a["les"] = les_in_words(scene, smagorinsky);
     if (scene.membrane)
       a["gap"] =
           "resolved down to half a cell; below that a film that carries pressure and no flow";

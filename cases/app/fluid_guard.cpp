@@ -22,21 +22,19 @@ std::string fault(lbm::Observation const& seen)
   return {};
 }
 
-void guard_fluid(Derived const& d, lbm::Observation const& seen, long step)
+void diverge(Derived const& d, std::string const& what, lbm::CellPlace const& worst, long step)
 {
-  std::string const what = fault(seen);
-  if (what.empty()) return;
   std::string const cause =
       d.mach > 0.3
           ? fmt::format("lattice.mach is too large (the flow was to reach {:.2g})", d.mach)
           : fmt::format("tau - 1/2 = {:.2g} is too small for this collision", d.tau_minus_half);
-  Vec3 const at = 1e3 * core::position(d.grid, seen.worst_i, seen.worst_j, seen.worst_k);
+  Vec3 const at = 1e3 * core::position(d.grid, worst.i, worst.j, worst.k);
   bool const space = core::dimensions(d.grid.symmetry) == 3;
   throw core::Divergence(fmt::format(
       "Diverged at step {} (t = {:.4g} s): {}, worst in cell ({}, {}{}) at ({:.4g}, {:.4g}{}) mm. "
       "Likely cause: {}.",
-      step, core::to_si_time(d.units, double(step)), what, seen.worst_i, seen.worst_j,
-      space ? fmt::format(", {}", seen.worst_k) : "", at[0], at[1],
+      step, core::to_si_time(d.units, double(step)), what, worst.i, worst.j,
+      space ? fmt::format(", {}", worst.k) : "", at[0], at[1],
       space ? fmt::format(", {:.4g}", at[2]) : "", cause));
 }
 

@@ -13,8 +13,8 @@ constexpr long guard_every = 100;
 /// by half, or 16-bit storage at the end of its range; empty where all is well.
 std::string fault(lbm::Observation const& seen);
 
-/// Throws core::Divergence with step, time, cell, place and likely cause when the fluid has a
-/// fault.
-void guard_fluid(Derived const& derived, lbm::Observation const& seen, long step);
+/// Throws core::Divergence with the fault, step, time, cell, place and likely cause.
+[[noreturn]] void diverge(Derived const& derived, std::string const& fault,
+                          lbm::CellPlace const& worst, long step);
 
 }  // namespace velum::cases

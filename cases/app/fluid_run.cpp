@@ -51,7 +51,8 @@ template <class Real, class L, class Stored>
 lbm::Observation look(Watch& watch, FluidScene<Real, L, Stored> const& s, long step)
 {
   auto const seen = lbm::observe(s.lattice.fluid);
-  guard_fluid(s.lattice.derived, seen, step);
+  if (std::string const what = fault(seen); !what.empty())
+    diverge(s.lattice.derived, what, lbm::worst_cell(s.lattice.fluid), step);
   watch.cells = seen.cells;
   watch.steps = step;
   watch.mach = std::max(watch.mach, seen.speed_max * std::numbers::sqrt3);

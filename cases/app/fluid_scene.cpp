@@ -54,6 +54,16 @@ Vec3 whole_body(Fluid const& fluid, std::vector<lbm::WallHit> const& hits)
   return whole;
 }
 
+/// A stream that is there from the beginning is no wave for the openings to damp.
+template <class Real, class L, class Stored>
+void open_to_stream(FluidScene<Real, L, Stored>& s)
+{
+  double const speed =
+      core::to_lattice_velocity(s.lattice.derived.units, s.scene->initial.velocity);
+  for (auto& [boundary, opening, links] : s.lattice.openings)
+    opening.velocity = opening.slow_velocity = opening.integral = speed * opening.normal[0];
+}
+
 }  // namespace
 
 template <class Real, class L, class Stored>
@@ -69,6 +79,9 @@ FluidScene<Real, L, Stored> make_fluid_scene(Scene const& scene, double smagorin
     s.bodies.push_back({links_of(s.lattice, hits), whole_body(s.lattice.fluid, hits)});
   }
   set_initial_state(scene, s.lattice);
+  if (scene.initial.kind == InitialKind::uniform) open_to_stream(s);
+  if (scene.les.model == LesModel::vreman)
+    s.vreman = lbm::make_vreman(s.lattice.fluid, scene.les.constant);
   return s;
 }
 
@@ -79,6 +92,8 @@ void step(FluidScene<Real, L, Stored>& s, double time)
   auto const target = [&](std::string const& boundary) {
     return lattice_target(*s.scene, s.lattice.derived, *find_boundary(*s.scene, boundary), time);
   };
+  if (s.vreman && s.steps % vreman_every == 0) lbm::set_vreman_share(fluid, *s.vreman);
+  ++s.steps;
   lbm::fill_ghosts(fluid);
   lbm::bounce_back(fluid, s.resting, {});
   for (auto const& wall : s.lattice.sliding) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "cases/app/lattice_scene.hpp"
 #include "cases/app/sample.hpp"
+#include "lbm/vreman.hpp"
 
 namespace velum::cases {
 
@@ -19,14 +20,20 @@ struct FluidScene {
   LatticeScene<Real, L, Stored> lattice;
   lbm::LinkList resting;
   std::vector<MeasuredBody> bodies;
+  std::optional<lbm::Vreman<Real>> vreman{};
+  long steps = 0;
 };
+
+/// Steps for which Vreman's eddy viscosity is kept: an eddy takes more to pass a cell.
+constexpr int vreman_every = 10;
 
 /// Builds the scene in its initial state.
 /// @param scene  must outlive the result
 template <class Real, class L = lbm::D2Q9, class Stored = Real>
 FluidScene<Real, L, Stored> make_fluid_scene(Scene const& scene, double smagorinsky);
 
-/// One step: ghosts, walls, sliding walls, openings, then streaming and collision.
+/// One step: Vreman's eddy viscosity where it is due, ghosts, walls, sliding walls, openings, then
+/// streaming and collision.
 /// @param time  at the beginning of the step, s
 template <class Real, class L, class Stored>
 void step(FluidScene<Real, L, Stored>& s, double time);

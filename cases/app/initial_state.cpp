@@ -49,6 +49,8 @@ FlowState initial_flow(Scene const& scene, Vec3 const& p, double time)
                                     : taylor_green(scene, side, s, time);
     case InitialKind::shear_layer:
       return shear_layer(scene.initial, s);
+    case InitialKind::uniform:
+      return {{scene.initial.velocity, 0, 0}, 0};
     case InitialKind::rest:
       break;
   }

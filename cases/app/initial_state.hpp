@@ -11,6 +11,7 @@ struct FlowState {
 
 /// The initial flow of a scene at p, and of taylor_green also its exact state at later times.
 ///
+/// uniform: the velocity along x, everywhere at once.
 /// taylor_green: Taylor & Green, Proc. R. Soc. A 158 (1937) 499, in a box of any sides,
 ///   u = -U sqrt(b/a) cos ax sin by e,  v = U sqrt(a/b) sin ax cos by e,
 ///   p = -rho U^2/4 (b/a cos 2ax + a/b cos 2by) e^2,  e = exp(-nu (a^2 + b^2) t),

@@ -29,6 +29,10 @@ lbm::OpeningKind opening_kind(BoundaryKind kind)
   return lbm::OpeningKind::outflow;
 }
 
+/// Memory of an outflow, in steps for a cell of the longest side: four times what sound takes. Much
+/// shorter and it would hold its pressure against sound, longer and the start would be felt long.
+constexpr double transits_remembered = 7;
+
 /// A patch as the lattice sees it: its range, and the side of the box or the solid it lies on.
 /// Lattice units.
 struct PlacedPatch {
@@ -130,6 +134,7 @@ bool place(Scene const& scene, Boundary const& boundary, Patch const& patch,
   shape_velocity(s.fluid, boundary.profile, placed.range, at, opening.opening.normal, links);
   opening.links = links;
   lbm::upload(opening.opening.links, opening.links);
+  opening.opening.memory = transits_remembered * std::max({s.fluid.nx, s.fluid.ny, s.fluid.nz});
   opening.opening.area = lbm::opening_area(s.fluid, opening.links, opening.opening.normal);
   s.openings.push_back(opening);
   return true;
@@ -174,7 +179,8 @@ LatticeScene<Real, L, Stored> make_lattice_scene(Scene const& scene, double smag
                            p));
   for (std::size_t k = 0; k < s.walls.hits.size(); ++k)
     if (!taken[k]) s.wall_hits.push_back(s.walls.hits[k]);
-  if (smagorinsky > 0) lbm::spare_walls(s.fluid, s.wall_hits);
+  if (smagorinsky > 0 && scene.les.model != LesModel::vreman)  // which sees walls by itself
+    lbm::spare_walls(s.fluid, s.wall_hits);
   return s;
 }
 

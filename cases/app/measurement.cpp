@@ -107,13 +107,13 @@ void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long
   std::string const what = fault(seen);
   if (what.empty()) return;
   auto const& f = s.state.fluid;
-  core::Vec2 const at =
-      s.derived.units.dx * (f.origin + core::Vec2{seen.worst_i + 0.5, seen.worst_j + 0.5});
+  auto const worst = lbm::worst_cell(f);
+  core::Vec2 const at = s.derived.units.dx * (f.origin + core::Vec2{worst.i + 0.5, worst.j + 0.5});
   throw core::Divergence(fmt::format(
       "Diverged at step {} (t = {:.4g} s): {}, worst in cell ({}, {}) at axial {:.3g} mm, radial "
       "{:.3g} mm. Likely cause: {}.",
-      step, core::to_si_time(s.derived.units, double(step)), what, seen.worst_i, seen.worst_j,
-      1e3 * at[0], 1e3 * at[1], likely_cause(s)));
+      step, core::to_si_time(s.derived.units, double(step)), what, worst.i, worst.j, 1e3 * at[0],
+      1e3 * at[1], likely_cause(s)));
 }
 
 template void add_flows(Flows&, CoupledScene<float, ibm::Sharp> const&);

@@ -70,6 +70,7 @@ Row cell_reynolds_row(Scene const& scene, Derived const& d)
       row.remark = "eddies below a cell; les.model = \"auto\" decides";
       break;
     case LesModel::smagorinsky:
+    case LesModel::vreman:
       row.remark = "eddies below a cell are modelled";
       break;
     case LesModel::off:

@@ -22,7 +22,7 @@ using lbm::Collision;
 enum class Fidelity { hydrostatic, axisymmetric, planar, space };
 enum class Stencil { d2q9, d3q19, d3q27 };
 enum class Precision { double_, single_, half };
-enum class LesModel { auto_, off, smagorinsky };
+enum class LesModel { auto_, off, smagorinsky, vreman };
 enum class SolidShape { box, disc, profile, sphere, cylinder, stl };
 enum class Operation { add, subtract };
 enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, moving_wall };
@@ -57,7 +57,7 @@ struct FluidProperties {
 
 struct Les {
   LesModel model = LesModel::auto_;
-  double constant = 0.1;
+  double constant = 0.1;  // C; of vreman C_V, about 5/2 C^2
 };
 
 /// A rigid body: box from corner to corner, disc, or closed profile through its points. In a

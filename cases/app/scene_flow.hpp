@@ -7,7 +7,7 @@
 /// What a scene may say of a flow without a membrane. SI units.
 namespace velum::cases {
 
-enum class InitialKind { rest, taylor_green, shear_layer };
+enum class InitialKind { rest, uniform, taylor_green, shear_layer };
 enum class VelocityProfile { uniform, parabolic };
 enum class ProbeKind { point, force, pressure_difference, kinetic_energy };
 enum class ReferenceKind { points, taylor_green, pipe, body, dissipation };
@@ -15,7 +15,7 @@ enum class ReferenceKind { points, taylor_green, pipe, body, dissipation };
 /// The flow at t = 0 (cases/app/initial_state.hpp has the formulas).
 struct InitialState {
   InitialKind kind = InitialKind::rest;
-  double velocity = 0;        // amplitude
+  double velocity = 0;        // amplitude; uniform: along x
   double steepness = 80;      // of a shear layer: side of the box over its half thickness
   double disturbance = 0.05;  // of a shear layer: cross velocity over velocity
 };

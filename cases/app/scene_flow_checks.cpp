@@ -52,6 +52,8 @@ void check_membrane_alone(Scene const& scene)
   refuse(!scene.probes.empty(), "probe");
   refuse(scene.reference.has_value(), "reference");
   refuse(scene.run.steady > 0, "run.steady");
+  if (scene.les.model == LesModel::vreman)
+    reject(scene, "les.model", "= \"vreman\" is for scenes without a membrane.");
   refuse(!scene.chart.dx.empty(), "chart");
   for (auto const& boundary : scene.boundaries)
     refuse(boundary.kind == BoundaryKind::moving_wall, key_of(boundary) + ".kind");
@@ -127,7 +129,7 @@ void check_moving_walls(Scene const& scene)
 
 void check_initial(Scene const& scene)
 {
-  if (scene.initial.kind == InitialKind::rest) return;
+  if (scene.initial.kind == InitialKind::rest || scene.initial.kind == InitialKind::uniform) return;
   bool const space = dimensions(scene) == 3;
   for (int axis = 0; axis < dimensions(scene); ++axis)
     if (!is_periodic(scene, axis))

@@ -67,7 +67,7 @@ Les read_les(SceneTable table)
   table.allow({"model", "constant"});
   Les les;
   les.model = table.choice<LesModel>("model", les.model);
-  les.constant = table.number("constant", les.constant);
+  les.constant = table.number("constant", les.model == LesModel::vreman ? 0.025 : les.constant);
   return les;
 }
 

@@ -38,8 +38,10 @@ inline Words<Stencil> words(Stencil)
 }
 inline Words<LesModel> words(LesModel)
 {
-  return {
-      {"auto", LesModel::auto_}, {"off", LesModel::off}, {"smagorinsky", LesModel::smagorinsky}};
+  return {{"auto", LesModel::auto_},
+          {"off", LesModel::off},
+          {"smagorinsky", LesModel::smagorinsky},
+          {"vreman", LesModel::vreman}};
 }
 inline Words<SolidShape> words(SolidShape)
 {
@@ -65,6 +67,7 @@ inline Words<VelocityProfile> words(VelocityProfile)
 inline Words<InitialKind> words(InitialKind)
 {
   return {{"rest", InitialKind::rest},
+          {"uniform", InitialKind::uniform},
           {"taylor_green", InitialKind::taylor_green},
           {"shear_layer", InitialKind::shear_layer}};
 }

@@ -74,7 +74,8 @@ TEST(BadFlow, InitialFlowHasItsKeysAndNeedsAPeriodicBox)
 {
   EXPECT_EQ(refusal(edited(periodic_box(), "taylor_green", "taylor_gren")),
             "scene.toml:12: initial.kind cannot be the text \"taylor_gren\"; did you mean "
-            "\"taylor_green\"? Allowed: rest, taylor_green, shear_layer.");
+            "\"taylor_green\"? Allowed: rest, uniform, taylor_green, "
+            "shear_layer.");
   EXPECT_EQ(refusal(edited(periodic_box(), "velocity = \"10 mm/s\"", "steepness = 80")),
             "scene.toml:13: initial.steepness is not a key of [initial] with kind = "
             "\"taylor_green\". Allowed: kind, velocity.");
@@ -148,11 +149,11 @@ TEST(BadFlow, ReferenceFitsTheScene)
             "scene.toml:34: reference.file must be the name of a file in the folder of the scene, "
             "without slashes.");
   EXPECT_EQ(refusal(with(small_flow, "[reference]\nkind = \"taylor_green\"")),
-            "scene.toml:33: reference.kind = \"taylor_green\" needs initial.kind = "
-            "\"taylor_green\", whose decay it compares with.");
+            "scene.toml:33: reference.kind = \"taylor_green\" needs a plane scene with "
+            "initial.kind = \"taylor_green\", whose decay it compares with.");
   EXPECT_EQ(refusal(with(small_flow, "[reference]\nkind = \"pipe\"\nradius = \"1 mm\"")),
-            "scene.toml:33: reference.kind = \"pipe\" needs an axisymmetric scene from the axis "
-            "on, lattice.periodic = [\"x\"] and a fluid.body_force along x.");
+            "scene.toml:33: reference.kind = \"pipe\" needs lattice.periodic = [\"x\"], a "
+            "fluid.body_force along x, and an axisymmetric scene from the axis on or a 3d one.");
 }
 
 TEST(BadFlow, WhatOnlyAFlowHasIsRefusedBesideAMembrane)

@@ -29,7 +29,7 @@ TEST(Chart, HasARowForEveryWayAndMarksTheDefault)
       out.path.string());
   ASSERT_EQ(run.exit_code, 0) << run.text;
   auto const table = read(out.path / "chart.csv");
-  EXPECT_EQ(lines(table), 1 + 2 * 4 * 2) << table;
+  EXPECT_EQ(lines(table), 1 + 2 * 4 * 3) << table;
   EXPECT_NE(run.text.find("(default)"), std::string::npos) << run.text;
   EXPECT_NE(table.find("taylor_green,0.0625,central_moments,double,"), std::string::npos) << table;
 }
@@ -98,7 +98,8 @@ TEST(Limits, BadInputIsASentence)
   auto const outcome = velum_program("limits shear_leyer");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.text,
-            "limits: shear_leyer is not a map; did you mean \"shear_layer\"? Maps: shear_layer.\n");
+            "limits: shear_leyer is not a map; did you mean \"shear_layer\"? Maps: shear_layer, "
+            "taylor_green or pressure_step.\n");
   EXPECT_EQ(velum_program("limits shear_layer --cells 2").exit_code, 2);
 }
 
