@@ -57,9 +57,9 @@ double opening_area(Fluid<Real, L, Stored> const& fluid, std::vector<Link> const
 /// most 10, 8, 5 and 3 %, traction 10, 8, 6 and 4 % (nu = 0.001; less at 0.1), pressure all of it
 /// with its sign reversed (tests/lbm/openings_let_sound_out.cpp).
 ///
-/// Limits: a pressure opening that fluid comes in through feeds what is there: against a held rate
-/// it amplifies sound below a nu of some 0.01, and in space eddies at the opening grow below the
-/// same; let traction or outflow drive such a flow.
+/// Limits: a pressure opening feeds what comes in through it. Against a held rate it amplifies
+/// sound below a nu of some 0.01; eddies that blow in through it grow, in space below the same, in
+/// the plane below some 1e-3. Let traction or outflow drive such a flow, and outflow end it.
 template <class Real, class L, class Stored>
 void apply(Fluid<Real, L, Stored>& fluid, Opening& opening, double target);
 
