@@ -13,77 +13,138 @@ constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
 constexpr double relaxation = 0.2;             // of the velocity per step, damps the feedback loop
 constexpr double integral_gain = 2e-4;  // per step; below c_s / 4L for chambers up to 700 cells
 
-/// Velocity of the opening imposed by the half-way rule, whatever the distance q: an opening is
-/// where the scene puts it, and mass stays exact.
+/// Density less 1 and velocity of a cell, and the part of the velocity into the fluid.
+template <int D>
+struct Near {
+  double rho, inflow;
+  core::Vec<double, D> u;
+};
+
+template <class Real, class L, class Stored>
+KOKKOS_FORCEINLINE_FUNCTION Near<L::D> near(Fluid<Real, L, Stored> const& fluid, int cell,
+                                            core::Vec3 const& n)
+{
+  Real site[L::Q], rho;
+  core::Vec<Real, L::D> j;
+  for (int d = 0; d < L::Q; ++d) site[d] = fluid.f.outgoing(d, cell);
+  density_and_momentum<L>(site, rho, j);
+  Near<L::D> at{double(rho), 0, {}};
+  for (int a = 0; a < L::D; ++a) {
+    at.u[a] = double(j[a]) / (1 + rho);
+    at.inflow += at.u[a] * n[a];
+  }
+  return at;
+}
+
+/// Fluid comes in at velocity U: the half-way rule, whatever the distance q. An opening is where
+/// the scene puts it, and mass stays exact.
+struct Enters {
+  core::Vec3 n;
+  double U;
+
+  template <class Real, class L, class Stored>
+  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l) const
+  {
+    Real const out = fluid.f.outgoing(l.dir, cell);
+    return out - Real(6 * L::w(l.dir) * l.weight * U * along<L>(l.dir, n));
+  }
+};
+
+/// Fluid leaves at velocity -U: the half-way rule for the cell's equilibrium, with the cell's own
+/// velocity along the opening. What goes past must be free to leave: held at zero there, or sent
+/// back with all its population, it grows at low viscosity between the opening and the cells
+/// before it.
+struct Leaves {
+  core::Vec3 n;
+  double U;
+
+  template <class Real, class L, class Stored>
+  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l) const
+  {
+    auto const at = near(fluid, cell, n);
+    double const cn = along<L>(l.dir, n);
+    double const past = along<L>(l.dir, at.u) - at.inflow * cn;
+    return Real(equilibrium<L>(l.dir, at.rho, at.u) - 6 * L::w(l.dir) * (l.weight * U * cn + past));
+  }
+};
+
+/// Anti-bounce-back at density rho_b (less 1). Where fluid leaves it is an equilibrium that is sent
+/// back: the full population would come back undamped, and at low viscosity a vortex that passes,
+/// or mere noise, would grow between the opening and the cells before it.
+struct AtPressure {
+  core::Vec3 n;
+  double rho_b;
+  bool still;  // whether what comes in brings no momentum
+
+  template <class Real, class L, class Stored>
+  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l) const
+  {
+    auto const at = near(fluid, cell, n);
+    int const o = L::opposite(l.dir);
+    if (at.inflow <= 0) return Real(equilibrium<L>(o, 2 * rho_b - at.rho, at.u));
+    if (still) return Real(equilibrium<L>(o, rho_b, core::Vec<double, L::D>{}));
+    return Real(equilibrium<L>(o, rho_b, at.u) + equilibrium<L>(l.dir, rho_b, at.u)) -
+           fluid.f.outgoing(l.dir, cell);
+  }
+};
+
+/// What comes in through an opening in a step, and its area as the profile weighs it.
+struct Passage {
+  double mass = 0, momentum = 0, area = 0;
+};
+
+/// Sends back along every link what the rule says.
+/// @param write  false: only sums what would come in
+template <class Real, class L, class Stored, class Rule>
+Passage send_back(Fluid<Real, L, Stored>& fluid, Opening const& opening, Rule const& rule,
+                  bool write = true)
+{
+  Fluid<Real, L, Stored> const to = fluid;
+  auto const links = opening.links.links;
+  Passage sum;
+  Kokkos::parallel_reduce(
+      "velum::lbm::opening", opening.links.size,
+      KOKKOS_LAMBDA(int k, double& mass, double& momentum, double& area) {
+        Link const l = links(k);
+        int const cell = to.cell(l.i, l.j, l.k);
+        double const cn = along<L>(l.dir, rule.n);
+        Real const out = to.f.outgoing(l.dir, cell);
+        Real const back = rule.back(to, cell, l);
+        if (write) to.f.set_arriving(L::opposite(l.dir), cell, back);
+        double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
+        mass += ring * double(back - out);
+        momentum -= ring * cn * double(back + out);
+        area -= ring * 6 * L::w(l.dir) * l.weight * cn;
+      },
+      sum.mass, sum.momentum, sum.area);
+  return sum;
+}
+
 template <class Real, class L, class Stored>
 void impose_velocity(Fluid<Real, L, Stored>& fluid, Opening& opening, double U)
 {
-  Fluid<Real, L, Stored> const to = fluid;
-  auto const links = opening.links.links;
-  auto const n = opening.normal;
-  double mass = 0, momentum = 0;
-  Kokkos::parallel_reduce(
-      "velum::lbm::opening_velocity", opening.links.size,
-      KOKKOS_LAMBDA(int k, double& m, double& p) {
-        Link const l = links(k);
-        int const cell = to.cell(l.i, l.j, l.k);
-        double const cn = along<L>(l.dir, n);
-        Real const out = to.f.outgoing(l.dir, cell);
-        Real const back = out - Real(6 * L::w(l.dir) * l.weight * U * cn);
-        to.f.set_arriving(L::opposite(l.dir), cell, back);
-        double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
-        m += ring * double(back - out);
-        p -= ring * cn * double(back + out);
-      },
-      mass, momentum);
+  Passage sum;
+  if (U >= 0) {
+    sum = send_back(fluid, opening, Enters{opening.normal, U});
+  } else {
+    // the equilibrium leaves out a little mass; it is shared out so that the sum is as imposed
+    auto const first = send_back(fluid, opening, Leaves{opening.normal, U}, false);
+    double const lost = first.area > 0 ? U - first.mass / first.area : 0;
+    sum = send_back(fluid, opening, Leaves{opening.normal, U + lost});
+  }
   opening.velocity = U;
-  opening.mass_flow = mass;
-  opening.traction = momentum / opening.area - U * U;
+  opening.mass_flow = sum.mass;
+  opening.traction = sum.momentum / opening.area - U * U;
 }
 
-/// Anti-bounce-back at the pressure opening.pressure. Of an outflow it is an equilibrium that is
-/// sent back: the full population would come back undamped, and at low viscosity a vortex that
-/// passes, or mere noise, would grow between the opening and the cells before it.
 template <class Real, class L, class Stored>
 void impose_pressure(Fluid<Real, L, Stored>& fluid, Opening& opening, bool outflow)
 {
-  Fluid<Real, L, Stored> const to = fluid;
-  auto const links = opening.links.links;
-  auto const n = opening.normal;
-  double const rho_b = 3 * opening.pressure;
-  double mass = 0, momentum = 0;
-  Kokkos::parallel_reduce(
-      "velum::lbm::opening_pressure", opening.links.size,
-      KOKKOS_LAMBDA(int k, double& m, double& p) {
-        Link const l = links(k);
-        int const cell = to.cell(l.i, l.j, l.k), o = L::opposite(l.dir);
-        Real site[L::Q], rho;
-        core::Vec<Real, L::D> j;
-        for (int d = 0; d < L::Q; ++d) site[d] = to.f.outgoing(d, cell);
-        density_and_momentum<L>(site, rho, j);
-        core::Vec<double, L::D> u;
-        double inflow = 0, u2 = 0;
-        for (int a = 0; a < L::D; ++a) {
-          u[a] = double(j[a]) / (1 + rho);
-          inflow += u[a] * n[a];
-        }
-        if (outflow && inflow > 0) u = {};
-        for (int a = 0; a < L::D; ++a) u2 += u[a] * u[a];
-        double const cu = along<L>(l.dir, u);
-        double const kinetic = 4.5 * cu * cu - 1.5 * u2;
-        Real const out = site[l.dir];
-        Real back = -out + Real(2 * L::w(l.dir) * (rho_b + (1 + rho_b) * kinetic));
-        if (outflow)
-          back = Real(equilibrium<L>(o, inflow > 0 ? rho_b : 2 * rho_b - double(rho), u));
-        to.f.set_arriving(o, cell, back);
-        double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
-        m += ring * double(back - out);
-        p -= ring * along<L>(l.dir, n) * double(back + out);
-      },
-      mass, momentum);
-  opening.mass_flow = mass;
-  opening.velocity = mass / opening.area;
-  opening.traction = momentum / opening.area - opening.velocity * opening.velocity;
+  auto const sum =
+      send_back(fluid, opening, AtPressure{opening.normal, 3 * opening.pressure, outflow});
+  opening.mass_flow = sum.mass;
+  opening.velocity = sum.mass / opening.area;
+  opening.traction = sum.momentum / opening.area - opening.velocity * opening.velocity;
 }
 
 }  // namespace

@@ -22,9 +22,7 @@ Spans make_spans(std::vector<std::uint8_t> const& mask, int nx, int ny, int nz, 
           continue;
         }
         int end = i;
-        while (end < nx && std::any_of(row + end, row + std::min(nx, end + vector),
-                                       [](std::uint8_t side) { return side != 0; }))
-          end += vector;
+        while (end < nx && row[end]) end += vector;
         for (; i < end; i += longest_span)
           spans.push_back({start + i, std::min(longest_span, end - i), j});
         i = end;

@@ -21,7 +21,8 @@ constexpr int longest_span = 512;
 /// wall, an opening or a body before it is read.
 constexpr int vector_cells = 16;
 
-/// The runs of fluid in a mask over the box, [nz][ny][nx]; runs less than a vector apart are one.
+/// The runs of fluid in a mask over the box, [nz][ny][nx], in the fewest vectors: one starts at
+/// every cell with fluid that those before it have not covered.
 /// Rows are `pitch` and planes `plane` cells apart, the first cell of the box is cell `first`.
 Spans make_spans(std::vector<std::uint8_t> const& mask, int nx, int ny, int nz, int first,
                  int pitch, int plane);

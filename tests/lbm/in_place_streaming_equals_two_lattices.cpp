@@ -114,38 +114,5 @@ TEST(InPlaceStreaming, EqualsTwoLattices)
   equals_two_lattices<lbm::D3Q27>();
 }
 
-// A list of moving walls that do not move does what walls at rest do, bit for bit.
-TEST(MovingWall, AtZeroSpeedIsAWallAtRest)
-{
-  auto const march = [](core::Vec3 velocity, float weight) {
-    auto fluid = lbm::make_fluid<double, lbm::D3Q19>(8, 9, {}, core::Symmetry::planar,
-                                                     {lbm::Collision::central_moments, 0.003}, 7);
-    auto const walls = lbm::find_walls(fluid, [](core::Vec3 const& p) {
-      return norm(p - core::Vec3{4.1, 4.3, 3.2}) - 1.7;
-    });
-    lbm::deactivate_solids(fluid, walls);
-    std::vector<lbm::Link> links;
-    for (auto const& h : walls.hits) links.push_back(lbm::link_at(fluid, walls, h, weight));
-    lbm::LinkList list;
-    lbm::upload(list, links);
-    lbm::CellStates state("state", 9 * 7, 8);
-    for (int row = 0; row < 63; ++row)
-      for (int i = 0; i < 8; ++i) state(row, i) = {0.01 * i, 0.02 * (row % 5), 0.01, -0.01 * i};
-    lbm::set_equilibrium(fluid, state);
-    for (int t = 0; t < 50; ++t) {
-      lbm::fill_ghosts(fluid);
-      lbm::bounce_back(fluid, list, velocity);
-      lbm::stream_and_collide(fluid);
-    }
-    return lbm::cell_states(fluid);
-  };
-  auto const rest = march({}, 1), moving = march({0, 0, 0}, 0.3f);
-  for (int row = 0; row < 63; ++row)
-    for (int i = 0; i < 8; ++i) {
-      EXPECT_EQ(rest(row, i).ux, moving(row, i).ux);
-      EXPECT_EQ(rest(row, i).rho, moving(row, i).rho);
-    }
-}
-
 }  // namespace
 }  // namespace velum

@@ -1,8 +1,10 @@
 #pragma once
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 #include "core/obstacle.hpp"
+#include "core/signed_distance.hpp"
 #include "lbm/bounce_back.hpp"
 #include "lbm/opening.hpp"
 #include "lbm/stream_and_collide.hpp"
@@ -11,12 +13,13 @@
 namespace velum::tests {
 
 /// A fluid between rigid walls, some of them moving, with openings: enough to march a test.
-template <class Real>
+template <class Real, class L = lbm::D2Q9, class Stored = Real>
 struct Flow {
-  lbm::Fluid<Real> fluid;
+  lbm::Fluid<Real, L, Stored> fluid;
   lbm::Walls walls;
   lbm::LinkList resting, moving;
   core::Vec3 wall_velocity = {};
+  double wall_mass = 0;  // that has come in through walls off the half-way
   std::vector<lbm::Opening> openings;
   std::vector<double> targets;
 };
@@ -32,11 +35,12 @@ struct OpeningSpec {
   Profile profile = [](core::Vec3) { return 1.0; };
 };
 
-template <class Real>
-Flow<Real> make_flow(lbm::Fluid<Real> fluid, core::Obstacle const& solids, Assign const& assign,
-                     std::vector<OpeningSpec> const& specs = {})
+template <class Real, class L, class Stored>
+Flow<Real, L, Stored> make_flow(lbm::Fluid<Real, L, Stored> fluid,
+                                std::type_identity_t<core::SignedDistance<L::D>> const& solids,
+                                Assign const& assign, std::vector<OpeningSpec> const& specs = {})
 {
-  Flow<Real> flow;
+  Flow<Real, L, Stored> flow;
   flow.fluid = fluid;
   flow.walls = lbm::find_walls(fluid, solids);
   lbm::deactivate_solids(flow.fluid, flow.walls);
@@ -65,22 +69,32 @@ Flow<Real> make_flow(lbm::Fluid<Real> fluid, core::Obstacle const& solids, Assig
   return flow;
 }
 
-template <class Real>
-void step(Flow<Real>& flow)
+template <class Real, class Stored>
+Flow<Real, lbm::D2Q9, Stored> make_flow(lbm::Fluid<Real, lbm::D2Q9, Stored> fluid,
+                                        core::Obstacle const& solids, Assign const& assign,
+                                        std::vector<OpeningSpec> const& specs = {})
+{
+  return make_flow(
+      fluid, [&](core::Vec2 const& p) { return core::distance(solids, p); }, assign, specs);
+}
+
+template <class Real, class L, class Stored>
+void step(Flow<Real, L, Stored>& flow)
 {
   lbm::fill_ghosts(flow.fluid);
-  lbm::bounce_back(flow.fluid, flow.resting, {});
-  lbm::bounce_back(flow.fluid, flow.moving, flow.wall_velocity);
+  flow.wall_mass += lbm::bounce_back(flow.fluid, flow.resting, {});
+  flow.wall_mass += lbm::bounce_back(flow.fluid, flow.moving, flow.wall_velocity);
   for (std::size_t k = 0; k < flow.openings.size(); ++k)
     lbm::apply(flow.fluid, flow.openings[k], flow.targets[k]);
   lbm::stream_and_collide(flow.fluid);
 }
 
 /// Opening 0 is the left side of the box and opening 1 the right side, all else walls.
-inline Assign open_ends(int nx)
+template <class L = lbm::D2Q9>
+Assign open_ends(int nx)
 {
   return [nx](lbm::WallHit const& h) {
-    int const cx = lbm::D2Q9::cx(h.dir);
+    int const cx = L::c(h.dir, 0);
     return h.i == 0 && cx < 0 ? 0 : h.i == nx - 1 && cx > 0 ? 1 : -1;
   };
 }
