@@ -1,5 +1,6 @@
 #include "lbm/fluid.hpp"
 
+#include "core/host_access.hpp"
 #include "core/huge_pages.hpp"
 #include "lbm/formats.hpp"
 #include "lbm/moments.hpp"
@@ -39,8 +40,7 @@ Fluid<Real, L, Stored> make_fluid(int nx, int ny, core::Vec<double, L::D> origin
       std::size_t(f.plane) * (L::D == 3 ? fluid.nz + 2 : 1) + std::size_t(f.pitch) + vector_cells;
   f.slots = Kokkos::View<Stored**, Kokkos::LayoutRight>(
       Kokkos::view_alloc(std::string("populations"), Kokkos::WithoutInitializing), L::Q, cells);
-  if constexpr (Kokkos::SpaceAccessibility<Kokkos::HostSpace,
-                                           typename decltype(f.slots)::memory_space>::accessible)
+  if constexpr (core::on_host)
     core::prefer_huge_pages(f.slots.data(), f.slots.size() * sizeof(Stored));
   // touched first by the threads that will update them
   auto const slots = f.slots;

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/check.hpp"
+#include "core/host_access.hpp"
 #include "lbm/bgk.hpp"
 #include "lbm/central_moment.hpp"
 #include "lbm/collide.hpp"
@@ -14,8 +15,6 @@ namespace velum::lbm {
 namespace detail {
 
 using Space = Kokkos::DefaultExecutionSpace;
-constexpr bool on_host =
-    Kokkos::SpaceAccessibility<Kokkos::HostSpace, Space::memory_space>::accessible;
 
 /// How far ahead of the work, in bytes, cells are prefetched, a vector at a time: beyond the caches
 /// the slots of all directions are as many streams of memory, more than a processor follows by
@@ -144,7 +143,7 @@ void update(Fluid<Real, L, Stored> const& fluid, Rule const& rule)
   Surroundings<Real, L::D> constant;
   for (int a = 0; a < L::D; ++a) constant.force[a] = Real(fluid.model.body_force[a]);
   constant.smagorinsky_squared = Real(fluid.model.smagorinsky * fluid.model.smagorinsky);
-  if constexpr (on_host)
+  if constexpr (core::on_host)
     update_on_host<Axisymmetric, with>(fluid, rule, constant);
   else
     update_on_device<Axisymmetric, with>(fluid, rule, constant);

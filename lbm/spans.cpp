@@ -1,5 +1,7 @@
 #include "lbm/spans.hpp"
 
+#include "core/host_access.hpp"
+
 #include <algorithm>
 
 namespace velum::lbm {
@@ -7,10 +9,7 @@ namespace velum::lbm {
 Spans make_spans(std::vector<std::uint8_t> const& mask, int nx, int ny, int nz, int first,
                  int pitch, int plane)
 {
-  constexpr bool on_host =
-      Kokkos::SpaceAccessibility<Kokkos::HostSpace,
-                                 Kokkos::DefaultExecutionSpace::memory_space>::accessible;
-  constexpr int vector = on_host ? vector_cells : 1;
+  constexpr int vector = core::on_host ? vector_cells : 1;
   std::vector<Span> spans;
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j) {

@@ -2,6 +2,7 @@
 
 #include <Kokkos_Core.hpp>
 
+#include "core/host_access.hpp"
 #include "core/huge_pages.hpp"
 
 namespace velum::cases {
@@ -14,7 +15,7 @@ constexpr std::size_t block = 4096;  // numbers that a thread takes at a time
 Array make_array(std::size_t n)
 {
   Array a(Kokkos::view_alloc(std::string("array"), Kokkos::WithoutInitializing), n);
-  if constexpr (Kokkos::SpaceAccessibility<Kokkos::HostSpace, Array::memory_space>::accessible)
+  if constexpr (core::on_host)
     core::prefer_huge_pages(a.data(), n * sizeof(float));
   Kokkos::deep_copy(a, 1.0f);
   return a;

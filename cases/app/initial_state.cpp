@@ -1,6 +1,7 @@
 #include "cases/app/initial_state.hpp"
 
 #include "lbm/formats.hpp"
+#include "lbm/initial_stress.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -74,6 +75,7 @@ void set_initial_state(Scene const& scene, LatticeScene<Real, L, Stored>& lattic
                        core::to_lattice_velocity(units, flow.velocity[2])};
     }
   lbm::set_equilibrium(lattice.fluid, state);
+  lbm::add_viscous_stress(lattice.fluid, state);
 }
 
 #define VELUM_INSTANTIATE(Real, L, Stored) \

@@ -25,7 +25,7 @@ struct FlowState {
 ///   of rest, so a wave goes out.
 FlowState initial_flow(Scene const& scene, Vec3 const& p, double time = 0);
 
-/// Sets every cell to the equilibrium of the initial flow.
+/// Sets every cell to the initial flow: equilibrium, with the viscous stress of its velocity.
 template <class Real, class L, class Stored>
 void set_initial_state(Scene const& scene, LatticeScene<Real, L, Stored>& lattice);
 

@@ -45,7 +45,7 @@ TEST(BadSpace, PointsHaveThreeCoordinates)
 {
   EXPECT_EQ(refused("from = [\"0 mm\", \"0 mm\", \"0 mm\"]", "from = [\"0 mm\", \"0 mm\"]"),
             "scene.toml:5: lattice.from must be three lengths, such as [\"1 mm\", \"1 mm\", \"1 "
-            "mm\"], but is an array of 2.");
+            "mm\"], but is an array of 2 values.");
 }
 
 TEST(BadSpace, LatticeAndCollisionFitTheDimensions)
@@ -66,7 +66,7 @@ TEST(BadSpace, ShapesBelongToSpaceOrPlane)
             "scene.toml:11: solid.ball.shape cannot be \"disc\" in space; \"sphere\" and "
             "\"cylinder\" can.");
   EXPECT_EQ(refusal(edited(small_flow, "shape = \"disc\"", "shape = \"sphere\"")),
-            "scene.toml:12: solid.post.shape cannot be \"sphere\" in a plane; \"disc\" and "
+            "scene.toml:13: solid.post.shape cannot be \"sphere\" in a plane; \"disc\" and "
             "\"profile\" can.");
   EXPECT_EQ(
       refused("shape = \"sphere\"\ncentre = [\"5 mm\", \"5 mm\", \"5 mm\"]\nradius = \"2 mm\"",
@@ -78,7 +78,7 @@ TEST(BadSpace, ShapesBelongToSpaceOrPlane)
 TEST(BadSpace, PatchesLieOnSidesOfTheBox)
 {
   EXPECT_EQ(refused("side = \"x+\"", "side = \"ball\""),
-            "scene.toml:19: outlet.patches[0].from is missing; without it a patch is a whole side "
+            "scene.toml:20: outlet.patches[0].from is missing; without it a patch is a whole side "
             "of the box, and \"ball\" is none.");
   EXPECT_EQ(refused("{ side = \"x-\", centre = [\"5 mm\", \"5 mm\"], radius = \"4 mm\" }",
                     "{ side = \"x-\", centre = [\"5 mm\", \"5 mm\"], radius = \"6 mm\" }"),
@@ -109,7 +109,7 @@ TEST(BadSpace, SidesAreOneThingOnly)
 TEST(BadSpace, MembranesAreForThePlane)
 {
   EXPECT_EQ(refusal(with(box, "[membrane]\nshape = \"disc\"")),
-            "scene.toml:29: membrane is for planar and axisymmetric scenes; in space velum has "
+            "scene.toml:28: membrane is for planar and axisymmetric scenes; in space velum has "
             "none yet.");
 }
 
