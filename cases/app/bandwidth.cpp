@@ -15,8 +15,7 @@ constexpr std::size_t block = 4096;  // numbers that a thread takes at a time
 Array make_array(std::size_t n)
 {
   Array a(Kokkos::view_alloc(std::string("array"), Kokkos::WithoutInitializing), n);
-  if constexpr (core::on_host)
-    core::prefer_huge_pages(a.data(), n * sizeof(float));
+  if constexpr (core::on_host) core::prefer_huge_pages(a.data(), n * sizeof(float));
   Kokkos::deep_copy(a, 1.0f);
   return a;
 }
@@ -63,6 +62,24 @@ Bandwidth measure_bandwidth(std::size_t bytes)
                 float* const z = &c(k * block);
                 for (std::size_t i = 0; i < block; ++i) z[i] = x[i] + 0.5f * y[i];
               })};
+}
+
+double measure_streams(int streams, std::size_t bytes_of_each)
+{
+  constexpr std::size_t vector = 16, row = 16 * vector, ahead = 128, padding = 144;
+  std::size_t const n = std::max(bytes_of_each / sizeof(float) / row, std::size_t(1)) * row;
+  std::size_t const stride = n + padding;  // as many cache lines as no power of two has
+  auto const count = static_cast<std::size_t>(streams);
+  Array const all = make_array(count * stride + ahead);
+  return speed(
+      n / row * block, 2 * double(count * n) * sizeof(float), KOKKOS_LAMBDA(std::size_t r) {
+        for (std::size_t x = r * row; x < (r + 1) * row; x += vector)
+          for (std::size_t s = 0; s < count; ++s) {
+            float* const p = &all(s * stride + x);
+            __builtin_prefetch(p + ahead, 1, 3);
+            for (std::size_t i = 0; i < vector; ++i) p[i] *= 0.999f;
+          }
+      });
 }
 
 }  // namespace velum::cases

@@ -15,4 +15,8 @@ struct Bandwidth {
 /// Measures with arrays of the given size in all, a third of a second each.
 Bandwidth measure_bandwidth(std::size_t bytes);
 
+/// The same in place over as many streams at once as a lattice has directions, with the prefetching
+/// of the step: what is left of a step when it computes nothing, and so its ceiling.
+double measure_streams(int streams, std::size_t bytes_of_each);
+
 }  // namespace velum::cases

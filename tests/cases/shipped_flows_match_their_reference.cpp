@@ -4,8 +4,10 @@
 // reference: the one that each scene names (its reference.csv or exact solution)
 // measure:   the scene's own error figures; orders from three grids at velocities ~ dx
 // tolerance: cavity 4 % L2 on 40 cells; drag 3 %, pressure difference 5 % with 10 cells across the
-//            cylinder; orders 2 +- 0.2 (vortex), at least 1.8 (pipe); shear layer 15 % on 64 cells
-// why:       second-order scheme and walls: the cavity's table itself is off by 1 %; ten cells are
+//            cylinder; orders at least 1.8, the vortex 1e-4 on 32
+//            cells; shear layer 15 % on 64 cells
+// why:       second-order scheme and walls; the vortex's leading error is small and changes its sign
+//            between these grids, so that its order comes out above 2; the cavity's table itself is off by 1 %; ten cells are
 // a
 //            tenth of the radius of curvature of the boundary layer at the cylinder
 #include <gtest/gtest.h>
@@ -68,8 +70,8 @@ TEST(ShippedFlow, TaylorGreenIsSecondOrder)
     h.push_back(1.0 / n);
     e.push_back(figure(run, "error_l2"));
   }
-  EXPECT_NEAR(order(h, e), 2, 0.2) << e[0] << " " << e[1] << " " << e[2];
-  EXPECT_LT(e.back(), 0.01);
+  EXPECT_GT(order(h, e), 1.8) << e[0] << " " << e[1] << " " << e[2];
+  EXPECT_LT(e.back(), 1e-4);
 }
 
 TEST(ShippedFlow, PipeIsSecondOrderWithItsWallHalfWayOrNot)
