@@ -37,7 +37,6 @@ struct Cumulant {
                   Site<Real, 3> const& site) const
   {
     Real const w = site.shear, n = 1 + out.rho(), v = 1 / n;
-    auto const at = [](int a, int b, int c) { return moment_index<D3Q27>({{a, b, c}}); };
 
     auto u_in = velocity(in);
     u_in *= Real(-1);
@@ -52,9 +51,9 @@ struct Cumulant {
 
     // velocity gradients from the second moments before collision
     Real const third_part = Real(1) / 3;
-    Real const xx = before.m[at(2, 0, 0)] - third_part * in.rho(),
-               yy = before.m[at(0, 2, 0)] - third_part * in.rho(),
-               zz = before.m[at(0, 0, 2)] - third_part * in.rho();
+    Real const xx = before.m[at<2, 0, 0>] - third_part * in.rho(),
+               yy = before.m[at<0, 2, 0>] - third_part * in.rho(),
+               zz = before.m[at<0, 0, 2>] - third_part * in.rho();
     Real const trace = xx + yy + zz;
     Real const Dx = -v / 2 * (w * (3 * xx - trace) + trace);
     Real const Dy = Dx + Real(1.5) * w * v * (xx - yy);
@@ -65,8 +64,8 @@ struct Cumulant {
     Real const stretch = -2 * third_part * diffusion * A * n;
     Real const shear_part = diffusion * B * w;  // -(1/3)(1/w - 1/2) B rho (Da_b + Db_a)
     fourth(k, n, {stretch * (Dx + Dy), stretch * (Dx + Dz), stretch * (Dy + Dz)},
-           {shear_part * before.m[at(0, 1, 1)], shear_part * before.m[at(1, 0, 1)],
-            shear_part * before.m[at(1, 1, 0)]});
+           {shear_part * before.m[at<0, 1, 1>], shear_part * before.m[at<1, 0, 1>],
+            shear_part * before.m[at<1, 1, 0>]});
     fifth_and_sixth(k, n);
     core::static_for<L::Q - second_order_end<L>>([&](auto h) __attribute__((always_inline)) {
       constexpr int e = second_order_end<L> + h;
@@ -75,6 +74,13 @@ struct Cumulant {
   }
 
  private:
+  /// Number of the moment x^a y^b z^c, known to the compiler: looked up while running it would cost
+  /// more than all the rest.
+  template <int a, int b, int c>
+  static constexpr int at = moment_index<D3Q27>({{a, b, c}});
+  template <Powers p>
+  static constexpr int of = moment_index<D3Q27>(p);
+
   /// Third cumulants, which are the third central moments.
   template <class L>
   KOKKOS_FORCEINLINE_FUNCTION void third(Moments<L, Real>& k, Moments<L, Real> const& before,
@@ -128,30 +134,29 @@ struct Cumulant {
   template <class L>
   KOKKOS_FORCEINLINE_FUNCTION void fifth_and_sixth(Moments<L, Real>& k, Real n) const
   {
-    constexpr auto at = [](int a, int b, int c) { return moment_index<L>({{a, b, c}}); };
     Real const v = 1 / n, third = Real(1) / 3;
-    Real const xyz = k.m[at(1, 1, 1)];
+    Real const xyz = k.m[at<1, 1, 1>];
     core::static_for<3>([&](auto a) __attribute__((always_inline)) {  // one of a, two of b and c
       constexpr Powers A = unit(a), B = unit((a + 1) % 3), C = unit((a + 2) % 3);
-      auto const m = [&](Powers const& p) { return k.m[moment_index<L>(p)]; };
-      k.m[moment_index<L>(A + B + B + C + C)] =
-          v * ((m(C + C) + third) * m(A + B + B) + (m(B + B) + third) * m(A + C + C) +
-               4 * m(B + C) * xyz + 2 * (m(A + C) * m(B + B + C) + m(A + B) * m(B + C + C)));
+      k.m[of<A + B + B + C + C>] =
+          v * ((k.m[of<C + C>] + third) * k.m[of<A + B + B>] +
+               (k.m[of<B + B>] + third) * k.m[of<A + C + C>] + 4 * k.m[of<B + C>] * xyz +
+               2 * (k.m[of<A + C>] * k.m[of<B + B + C>] + k.m[of<A + B>] * k.m[of<B + C + C>]));
     });
-    Real const xx = k.m[at(2, 0, 0)] + third, yy = k.m[at(0, 2, 0)] + third,
-               zz = k.m[at(0, 0, 2)] + third;
-    Real const xy = k.m[at(1, 1, 0)], xz = k.m[at(1, 0, 1)], yz = k.m[at(0, 1, 1)];
+    Real const xx = k.m[at<2, 0, 0>] + third, yy = k.m[at<0, 2, 0>] + third,
+               zz = k.m[at<0, 0, 2>] + third;
+    Real const xy = k.m[at<1, 1, 0>], xz = k.m[at<1, 0, 1>], yz = k.m[at<0, 1, 1>];
     Real const ninth = third * third;
     Real const full =
-        v * (4 * xyz * xyz + xx * (k.m[at(0, 2, 2)] + ninth) + yy * (k.m[at(2, 0, 2)] + ninth) +
-             zz * (k.m[at(2, 2, 0)] + ninth) +
-             4 * (yz * k.m[at(2, 1, 1)] + xz * k.m[at(1, 2, 1)] + xy * k.m[at(1, 1, 2)]) +
-             2 * (k.m[at(1, 2, 0)] * k.m[at(1, 0, 2)] + k.m[at(2, 1, 0)] * k.m[at(0, 1, 2)] +
-                  k.m[at(2, 0, 1)] * k.m[at(0, 2, 1)])) -
+        v * (4 * xyz * xyz + xx * (k.m[at<0, 2, 2>] + ninth) + yy * (k.m[at<2, 0, 2>] + ninth) +
+             zz * (k.m[at<2, 2, 0>] + ninth) +
+             4 * (yz * k.m[at<2, 1, 1>] + xz * k.m[at<1, 2, 1>] + xy * k.m[at<1, 1, 2>]) +
+             2 * (k.m[at<1, 2, 0>] * k.m[at<1, 0, 2>] + k.m[at<2, 1, 0>] * k.m[at<0, 1, 2>] +
+                  k.m[at<2, 0, 1>] * k.m[at<0, 2, 1>])) -
         v * v *
             (16 * xy * xz * yz + 4 * (xz * xz * yy + yz * yz * xx + xy * xy * zz) +
              2 * xx * yy * zz);
-    k.m[at(2, 2, 2)] = full - third * ninth;
+    k.m[at<2, 2, 2>] = full - third * ninth;
   }
 };
 
