@@ -4,14 +4,11 @@
 // reference: the one that each scene names (its reference.csv or exact solution)
 // measure:   the scene's own error figures; orders from three grids at velocities ~ dx
 // tolerance: cavity 4 % L2 on 40 cells; drag 3 %, pressure difference 5 % with 10 cells across the
-//            cylinder; orders at least 1.8, the vortex 1e-4 on 32
-//            cells; shear layer 15 % on 64 cells
+//            cylinder; orders at least 1.8, the vortex 1e-4 on 32 cells; shear layer 15 % on 64
 // why:       second-order scheme and walls; the vortex's leading error is small and changes its
-// sign
-//            between these grids, so that its order comes out above 2; the cavity's table itself is
-//            off by 1 %; ten cells are
-// a
-//            tenth of the radius of curvature of the boundary layer at the cylinder
+//            sign between these grids, so that its order comes out above 2; the cavity's table
+//            itself is off by 1 %; ten cells are a tenth of the radius of curvature of the boundary
+//            layer at the cylinder
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
