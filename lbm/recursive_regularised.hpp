@@ -9,9 +9,11 @@ namespace velum::lbm {
 /// shift of Hermite moments which vanish about the fluid's own velocity, so in central moments:
 /// third and fifth zero,
 ///   kxxyy - rho/9 = (k'xx + k'yy)/3,  kxxyz = kyz/3,  kxxyyzz - rho/27 = (k'xx + k'yy + k'zz)/9,
-/// k' less rho/3. Malaspinas, arXiv:1505.06900 (2015); Coreixas et al., Phys. Rev. E 96 (2017)
-/// 033306, doi:10.1103/PhysRevE.96.033306. All second moments relax at the shear rate: with the
-/// trace at rate 1 this is CentralMoment but for terms of the fourth order.
+/// k' less rho/3; on D3Q19, where Hermite polynomials of the fourth order are not orthogonal to the
+/// second, kxxyy less k'zz/6 (lbm/central_moment.hpp). Malaspinas, arXiv:1505.06900 (2015);
+/// Coreixas et al., Phys. Rev. E 96 (2017) 033306, doi:10.1103/PhysRevE.96.033306. All second
+/// moments relax at the shear rate: with the trace at rate 1 this is CentralMoment but for terms of
+/// the fourth order.
 template <class Real>
 struct RecursiveRegularised {
   Real omega;
@@ -47,6 +49,13 @@ struct RecursiveRegularised {
           }
         });
       });
+      if constexpr (L::Q == 19)
+        core::static_for<L::D>([&](auto a) __attribute__((always_inline)) {
+          constexpr int aa = second_moment<L>(a, a);
+          constexpr Powers full = L::powers(second_order_end<L> + h);
+          if constexpr (full.order() == 4 && full[a] == 0)
+            value -= Real(1) / 6 * (k.m[aa] - third * rho);
+        });
       k.m[i] = value;
       out.m[i] = shifted<L, i, RecursiveRegularised>(k, u);
     });
