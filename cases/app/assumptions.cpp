@@ -16,10 +16,8 @@ namespace {
 std::string mirrors_in_words(Scene const& scene)
 {
   std::vector<std::string> sides;
-  for (auto const& name : side_names(dimensions(scene))) {
-    auto const side = *box_side(name);
-    if ((scene.lattice.mirrors & lbm::mirror(side.axis, side.upper)) != 0) sides.push_back(name);
-  }
+  for (auto const& name : side_names(dimensions(scene)))
+    if (is_mirror(scene, *box_side(name))) sides.push_back(name);
   return fmt::format("mirror images beyond {}; forces are those on whole bodies",
                      fmt::join(sides, ", "));
 }

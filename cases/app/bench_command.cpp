@@ -67,8 +67,7 @@ void bench_command(Options const& options)
   else
     fmt::print(
         "{} threads; memory moves {:.1f} GB/s in place, {:.1f} copying, {:.1f} as triad; GB/s: in "
-        "place over "
-        "as many streams\n"
+        "place over as many streams\n"
         "lattice collision              storage LES       cells  B/upd     MLUPS   GB/s  of it\n",
         Kokkos::DefaultExecutionSpace().concurrency(), memory.in_place / 1e9, memory.copy / 1e9,
         memory.triad / 1e9);

@@ -59,6 +59,17 @@ core::SignedDistance<3> placed_in_space(Solid const& s)
   return core::scaled(unshifted_in_space(s), 1.0, s.shift);
 }
 
+/// The union of the solids that add, without those that subtract, each put in its place.
+template <class Geometry>
+Geometry united(Scene const& scene, Geometry (*place)(Solid const&))
+{
+  std::vector<Geometry> added, removed;
+  for (auto const& s : scene.solids)
+    (s.operation == Operation::add ? added : removed).push_back(place(s));
+  auto const all = core::unite(added);
+  return removed.empty() ? all : core::subtract(all, core::unite(removed));
+}
+
 /// What is flat, as a distance that does not look at the third coordinate.
 core::SignedDistance<3> extruded(core::Obstacle const& flat)
 {
@@ -89,14 +100,7 @@ core::Obstacle solid(Scene const& scene, std::string const& name)
   return placed(*find_solid(scene, name));
 }
 
-core::Obstacle all_solids(Scene const& scene)
-{
-  std::vector<core::Obstacle> added, removed;
-  for (auto const& s : scene.solids)
-    (s.operation == Operation::add ? added : removed).push_back(placed(s));
-  auto const all = core::unite(added);
-  return removed.empty() ? all : core::subtract(all, core::unite(removed));
-}
+core::Obstacle all_solids(Scene const& scene) { return united(scene, placed); }
 
 core::SignedDistance<3> solid_distance(Scene const& scene, std::string const& name)
 {
@@ -106,12 +110,7 @@ core::SignedDistance<3> solid_distance(Scene const& scene, std::string const& na
 
 core::SignedDistance<3> distance_to_solids(Scene const& scene)
 {
-  if (dimensions(scene) == 2) return extruded(all_solids(scene));
-  std::vector<core::SignedDistance<3>> added, removed;
-  for (auto const& s : scene.solids)
-    (s.operation == Operation::add ? added : removed).push_back(placed_in_space(s));
-  auto const all = core::unite(added);
-  return removed.empty() ? all : core::subtract(all, core::unite(removed));
+  return dimensions(scene) == 3 ? united(scene, placed_in_space) : extruded(all_solids(scene));
 }
 
 std::optional<BoxSide> box_side(std::string const& side)
@@ -126,6 +125,11 @@ std::vector<std::string> side_names(int dimensions)
   std::vector<std::string> names = {"x-", "x+", "y-", "y+", "z-", "z+"};
   names.resize(static_cast<std::size_t>(2 * dimensions));
   return names;
+}
+
+bool is_mirror(Scene const& scene, BoxSide const& side)
+{
+  return (scene.lattice.mirrors & lbm::mirror(side.axis, side.upper)) != 0;
 }
 
 bool covers(Patch const& patch, Vec2 const& along, int dimensions)

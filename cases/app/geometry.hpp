@@ -42,6 +42,9 @@ std::vector<std::string> side_names(int dimensions);
 /// The k-th of the axes along a side, in the order x, y, z.
 inline int axis_along(BoxSide const& side, int k) { return k + (k >= side.axis ? 1 : 0); }
 
+/// Whether a side of the box is a plane of symmetry.
+bool is_mirror(Scene const& scene, BoxSide const& side);
+
 /// Whether a place along a side, or along a solid its second coordinate, is in the patch.
 bool covers(Patch const& patch, Vec2 const& along, int dimensions);
 

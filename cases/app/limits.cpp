@@ -15,6 +15,15 @@
 namespace velum::cases {
 namespace {
 
+/// The scene with the collision, the closure and the Mach number of a point.
+Scene under(LimitPoint const& p, Scene scene)
+{
+  scene.lattice.mach = p.mach;
+  scene.lattice.collision = p.collision;
+  scene.les.model = p.les ? LesModel::smagorinsky : LesModel::off;
+  return scene;
+}
+
 /// Minion & Brown's doubly periodic shear layer on the unit square with unit velocity, for five
 /// unit times: after one it has rolled up; what grows slowly shows in the four that follow.
 Scene shear_layer(LimitPoint const& p, int cells)
@@ -24,12 +33,9 @@ Scene shear_layer(LimitPoint const& p, int cells)
               .lattice = {.dx = 1.0 / cells, .from = {0, 0}, .to = {1, 1}},
               .fluid = {.density = 1, .viscosity = 1 / p.reynolds},
               .run = {.settle = 5, .output_every = 5, .end = 5, .sample_every = 5}};
-  scene.lattice.mach = p.mach;
-  scene.lattice.collision = p.collision;
   scene.lattice.periodic = {true, true, false};
-  scene.les.model = p.les ? LesModel::smagorinsky : LesModel::off;
   scene.initial = {.kind = InitialKind::shear_layer, .velocity = 1};
-  return scene;
+  return under(p, scene);
 }
 
 /// The Taylor-Green vortex in a periodic box with unit velocity and side 2 pi, past its largest
@@ -42,13 +48,10 @@ Scene vortices_in_space(LimitPoint const& p, int cells)
               .lattice = {.dx = side / cells, .from = {0, 0, 0}, .to = {side, side, side}},
               .fluid = {.density = 1, .viscosity = 1 / p.reynolds},
               .run = {.settle = 12, .output_every = 12, .end = 12, .sample_every = 12}};
-  scene.lattice.mach = p.mach;
-  scene.lattice.collision = p.collision;
   scene.lattice.stencil = p.collision == Collision::cumulant ? Stencil::d3q27 : Stencil::d3q19;
   scene.lattice.periodic = {true, true, true};
-  scene.les.model = p.les ? LesModel::smagorinsky : LesModel::off;
   scene.initial = {.kind = InitialKind::taylor_green, .velocity = 1};
-  return scene;
+  return under(p, scene);
 }
 
 /// A channel of unit width at rest, its middle half blocked by a plate: at t = 0 the pressure of
@@ -60,14 +63,11 @@ Scene pressure_step(LimitPoint const& p, int cells)
               .lattice = {.dx = 1.0 / cells, .from = {0, 0}, .to = {3, 1}},
               .fluid = {.density = 1, .viscosity = 1 / p.reynolds},
               .run = {.settle = 10, .output_every = 10, .end = 10, .sample_every = 10}};
-  scene.lattice.mach = p.mach;
-  scene.lattice.collision = p.collision;
-  scene.les.model = p.les ? LesModel::smagorinsky : LesModel::off;
   scene.solids = {
       {.name = "plate", .shape = SolidShape::box, .from = {1, 0.25}, .to = {1.25, 0.75}}};
   scene.boundaries = {{"inlet", BoundaryKind::pressure, constant(0.5), {{"x-", {0, 0}, {1, 0}}}},
                       {"outlet", BoundaryKind::outflow, constant(0), {{"x+", {0, 0}, {1, 0}}}}};
-  return scene;
+  return under(p, scene);
 }
 
 /// The sentence with which a flow diverges; nothing where it does not.

@@ -26,11 +26,6 @@ bool is_periodic(Scene const& scene, int axis)
   return scene.lattice.periodic[static_cast<std::size_t>(axis)];
 }
 
-bool is_mirror(Scene const& scene, BoxSide const& side)
-{
-  return (scene.lattice.mirrors & lbm::mirror(side.axis, side.upper)) != 0;
-}
-
 bool any_periodic(Scene const& scene)
 {
   auto const& p = scene.lattice.periodic;
