@@ -61,7 +61,6 @@ inline Vec2 left_of(Vec2 const& a) { return {-a[1], a[0]}; }
 using Vec3 = Vec<double, 3>;
 
 inline Vec2 in_plane(Vec3 const& a) { return {a[0], a[1]}; }
-inline Vec3 in_space(Vec2 const& a) { return {a[0], a[1], 0}; }
 
 /// Vector product: normal to a and b, right-handed, as long as their parallelogram is large.
 template <class Real>
