@@ -37,7 +37,7 @@ struct CentralMoment {
       constexpr int aa = second_moment<L>(a, a);
       constexpr Powers powers = L::powers(e);
       constexpr Real share = powers[a] == 2 ? Real(1) / 3 : -Real(1) / 6;
-      sum += share * (k.m[aa] - k.rho() / 3);
+      sum += share * (k.m[aa] - Real(1) / 3 * k.rho());
     });
     return sum;
   }

@@ -50,9 +50,11 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
   core::static_for<D>([&](auto a) __attribute__((always_inline)) {
     s.u[a] = volume * (in.j(a) + F[a] / 2);
   });
-  if constexpr (Eddy)
-    s.shear = smagorinsky_rate(s.shear, deviator_magnitude(in, n, s.u), volume,
-                               around.smagorinsky_squared);
+  Real tau = 1 / s.shear;
+  if constexpr (Eddy) {
+    tau = smagorinsky_time(tau, deviator_magnitude(in, n, s.u), volume, around.smagorinsky_squared);
+    s.shear = 1 / tau;
+  }
   Real const bulk = rule.bulk_rate(s.shear);
   Real const off_axis = Axisymmetric ? 1 / (1 + 4 * inv_y * inv_y) : Real(1);
 
@@ -77,7 +79,7 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
     Real const T_eq = D * third * s.rho + n * u2 + T_viscous;
     Real const s_T = 2 * (1 + off_axis) * third * s.Q + 2 * uS - u2 * s.Q;
     Real const T = bulk / 2 * T_eq + (1 - bulk / 2) * (in_trace + s_T / 2);
-    Real const share = (T - trace) / D;
+    Real const share = (Real(1) / D) * (T - trace);
     core::static_for<D>([&](auto a) __attribute__((always_inline)) {
       constexpr int aa = second_moment<L>(a, a);
       mean[aa] += share;
@@ -87,11 +89,12 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
   if constexpr (Axisymmetric) {
     // S_y depends on u_y through the terms linear in u_y / y, which are solved for exactly (they
     // are not small in the row at the axis), and through products of velocities, which are
-    // iterated.
+    // iterated; so are the reciprocals, by Newton's method, for divisions are slow.
     constexpr int yy = second_moment<L>(1, 1), xy = second_moment<L>(0, 1);
-    Real const mu = third * (1 / s.shear - Real(0.5)) * n;
+    Real const mu = third * (tau - Real(0.5)) * n;
     Real const linear = inv_y * inv_y * ((1 - bulk / 2) * off_axis / 6 * n - (2 + bulk / 2) * mu);
-    core::static_for<3>([&](auto) __attribute__((always_inline)) {
+    Real per_n = volume, per_y = 1 / (n - linear / 2);
+    core::static_for<2>([&](auto) __attribute__((always_inline)) {
       Real const u_theta = s.u[1] * inv_y;
       s.Q = -n * u_theta;
       s.rho = in.rho() + s.Q / 2;
@@ -100,8 +103,10 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
       Real const p_theta = third * s.rho - 2 * mu * u_theta;
       s.S[0] = F[0] - mean[xy] * inv_y;
       s.S[1] = F[1] - (mean[yy] - p_theta) * inv_y;
-      s.u[0] = (in.j(0) + s.S[0] / 2) / n;
-      s.u[1] = (in.j(1) + s.S[1] / 2 - linear * s.u[1] / 2) / (n - linear / 2);
+      per_n *= 2 - n * per_n;
+      per_y *= 2 - (n - linear / 2) * per_y;
+      s.u[0] = per_n * (in.j(0) + s.S[0] / 2);
+      s.u[1] = per_y * (in.j(1) + s.S[1] / 2 - linear * s.u[1] / 2);
     });
     s.Q = -(in.j(1) + s.S[1] / 2) * inv_y;
   } else {

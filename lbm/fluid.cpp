@@ -71,8 +71,8 @@ void mark(Fluid<Real, L, Stored>& fluid, std::vector<std::uint8_t> const& mask)
 template <class Real, class L, class Stored>
 void use_eddy_share(Fluid<Real, L, Stored>& fluid)
 {
-  fluid.eddy_share = Kokkos::View<float*>("eddy_share", fluid.f.slots.extent(1));
-  Kokkos::deep_copy(fluid.eddy_share, 1.0f);
+  fluid.eddy_share = Kokkos::View<Real*>("eddy_share", fluid.f.slots.extent(1));
+  Kokkos::deep_copy(fluid.eddy_share, Real(1));
 }
 
 template <class Real, class L, class Stored>

@@ -63,7 +63,7 @@ struct Fluid {
   Spans spans;      // the runs of fluid along x; mark() keeps them in step with active
   Kokkos::View<Real**, Kokkos::LayoutRight> force;  // per volume [D][cells]; empty unless a body
                                                     // spreads force
-  Kokkos::View<float*> eddy_share;  // factor on C^2 [cells]; empty where no eddy viscosity acts
+  Kokkos::View<Real*> eddy_share;  // factor on C^2 [cells]; empty where no eddy viscosity acts
 
   /// Whether the first row lies on the axis of revolution.
   bool has_axis() const { return symmetry == core::Symmetry::axisymmetric && origin[1] == 0; }

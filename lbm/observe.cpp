@@ -29,13 +29,13 @@ KOKKOS_FORCEINLINE_FUNCTION Speed speed(Fluid<Real, L, Stored> const& fluid, int
   return {finite ? u2 : 1e60, double(rho), finite};
 }
 
-/// Relaxation time that smagorinsky_rate() chose, from the deviator it left behind: collision
+/// Relaxation time that smagorinsky_time() chose, from the deviator it left behind: collision
 /// turns Pi into (1 - 1/tau) Pi, so that
 ///   (tau - tau0) |tau - 1| = 9/2 C^2 |(1 - 1/tau) Pi| / rho.
 /// Of the roots that which grows from tau0; where tau0 < 1 it ends at nu_t = (1 - tau0)/6, far
 /// above any strain the lattice can bear.
-KOKKOS_FORCEINLINE_FUNCTION double smagorinsky_time(double tau0, double magnitude,
-                                                    double constant_squared)
+KOKKOS_FORCEINLINE_FUNCTION double time_after(double tau0, double magnitude,
+                                              double constant_squared)
 {
   double const a = 18 * constant_squared * magnitude, d = (1 - tau0) * (1 - tau0);
   if (tau0 >= 1) return (1 + tau0 + std::sqrt(d + a)) / 2;
@@ -131,8 +131,8 @@ EddyViscosity eddy_viscosity(Fluid<Real, L, Stored> const& fluid)
         double const rho = 1 + m.rho();
         core::Vec<double, L::D> u;
         for (int a = 0; a < L::D; ++a) u[a] = m.j(a) / rho;
-        double const tau = smagorinsky_time(tau0, deviator_magnitude(m, rho, u) / rho,
-                                            double(from.eddy_share(cell)) * c2);
+        double const tau = time_after(tau0, deviator_magnitude(m, rho, u) / rho,
+                                      double(from.eddy_share(cell)) * c2);
         double const nu_t = (tau - tau0) / 3;
         total += nu_t;
         if (nu_t > largest) largest = nu_t;

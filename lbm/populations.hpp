@@ -29,7 +29,7 @@ struct Populations {
   float range = 1;  // of 16-bit storage
 
   static constexpr bool fixed_point = std::is_integral_v<Stored>;
-  static constexpr int largest = 32767;
+  static constexpr std::int32_t largest = 32767;
 
   KOKKOS_FORCEINLINE_FUNCTION int shift(int dir) const
   {
@@ -79,12 +79,14 @@ struct Populations {
   KOKKOS_FORCEINLINE_FUNCTION static Stored to_stored(Real value, Real inverse_scale)
   {
     if constexpr (fixed_point) {
-      using std::rint;
-      constexpr Real most = largest;
-      Real x = inverse_scale * value;
-      x = x < most ? x : most;  // the guard finds what reaches the limit
-      x = x > -most ? x : -most;
-      return Stored(std::int32_t(rint(x)));
+      // The sum with 3/2 2^23 is the nearest whole number in its low bits, and what is too large
+      // for it, or no number, is out of range there too: the guard finds what reaches the limit.
+      constexpr Real shift = 3 << 22;
+      auto const bits = __builtin_bit_cast(std::uint32_t, value * inverse_scale + shift) -
+                        __builtin_bit_cast(std::uint32_t, shift);
+      auto const n = std::int32_t(bits);
+      std::int32_t const low = n < largest ? n : largest;
+      return Stored(low > -largest ? low : -largest);
     }
     return Stored(value);
   }

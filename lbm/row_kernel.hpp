@@ -32,7 +32,7 @@ struct Row {
   Stored* slot[L::Q];
   Real unpack[L::Q], pack[L::Q];  // of 16-bit storage
   Real const* force[L::D];
-  float const* eddy;
+  Real const* eddy;
 
   KOKKOS_FORCEINLINE_FUNCTION Row(Fluid<Real, L, Stored> const& fluid, int cell)
   {
@@ -46,6 +46,18 @@ struct Row {
     for (int a = 0; a < L::D; ++a)
       force[a] = with == With::eddy_and_force ? &fluid.force(a, cell) : nullptr;
     eddy = with == With::nothing ? nullptr : &fluid.eddy_share(cell);
+  }
+
+  /// The same cells from number `from` on, their populations in a buffer.
+  template <int cells>
+  Row(Row<Real, L, std::int16_t, with> const& packed, int from, Real (&buffer)[L::Q][cells])
+  {
+    core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
+      slot[i] = buffer[i];
+      unpack[i] = pack[i] = 1;
+    });
+    for (int a = 0; a < L::D; ++a) force[a] = packed.force[a] + from;
+    eddy = packed.eddy + from;
   }
 };
 
@@ -63,7 +75,7 @@ KOKKOS_FORCEINLINE_FUNCTION void update_cell(Row<Real, L, Stored, with> const& r
     core::static_for<L::D>([&](auto a) __attribute__((always_inline)) {
       around.force[a] += row.force[a][x];
     });
-  if constexpr (with != With::nothing) around.smagorinsky_squared *= Real(row.eddy[x]);
+  if constexpr (with != With::nothing) around.smagorinsky_squared *= row.eddy[x];
   collide<L, Axisymmetric, with != With::nothing>(f, rule, around);
   core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
     row.slot[L::opposite(i)][x] = P::to_stored(f[i], row.pack[i]);
@@ -97,6 +109,36 @@ template <bool Axisymmetric, With with, class Real, class L, class Stored, class
   }
 }
 
+/// A span of 16-bit storage, a few vectors at a time unpacked into a buffer, updated, and packed
+/// again: in one loop the two widths of number would need twice the registers there are.
+template <bool Axisymmetric, With with, class Real, class L, class Rule>
+[[gnu::flatten]] inline void update_span(Row<Real, L, std::int16_t, with> const& row, int length,
+                                         bool ahead, Rule const& rule,
+                                         Surroundings<Real, L::D> const& around)
+{
+  using P = Populations<Real, L, std::int16_t>;
+  constexpr int most = 4 * vector_cells;
+  alignas(64) Real buffer[L::Q][most];
+  for (int from = 0; from < length; from += most) {
+    int const cells = length - from < most ? length - from : most;
+    for (int i = 0; i < L::Q; ++i) {
+      std::int16_t const* const slot = row.slot[i] + from;
+      Real const scale = row.unpack[i];
+      for (int x = 0; x < cells; ++x) buffer[i][x] = P::from_stored(slot[x], scale);
+    }
+    Row<Real, L, Real, with> const unpacked(row, from, buffer);
+    update_span<Axisymmetric, with, Real, L, Real>(unpacked, cells, false, rule, around);
+    for (int i = 0; i < L::Q; ++i) {
+      std::int16_t* const slot = row.slot[i] + from;
+      Real const scale = row.pack[i];
+      for (int x = 0; x < cells; ++x) slot[x] = P::to_stored(buffer[i][x], scale);
+      if (ahead)
+        for (int x = 0; x < cells; x += 32)
+          __builtin_prefetch(slot + x + prefetch_ahead / int(sizeof(*slot)), 1, 3);
+    }
+  }
+}
+
 /// One thread takes a span; the loop over it is vectorised.
 template <bool Axisymmetric, With with, class Real, class L, class Stored, class Rule>
 void update_on_host(Fluid<Real, L, Stored> const& fluid, Rule const& rule,
@@ -112,7 +154,7 @@ void update_on_host(Fluid<Real, L, Stored> const& fluid, Rule const& rule,
                          Row<Real, L, Stored, with> const row(fluid, span.cell);
                          Surroundings<Real, L::D> around = constant;
                          around.inv_y = Axisymmetric ? Real(1 / (y0 + span.row + 0.5)) : Real(0);
-                         update_span<Axisymmetric>(row, span.length, ahead, rule, around);
+                         update_span<Axisymmetric, with>(row, span.length, ahead, rule, around);
                        });
 }
 

@@ -24,24 +24,25 @@ KOKKOS_FORCEINLINE_FUNCTION Real deviator_magnitude(Moments<L, Real> const& m, R
       }
     });
   });
-  Real const squared = diagonal - trace * trace / L::D;  // round-off may make it negative
+  Real const squared = diagonal - Real(1) / L::D * trace * trace;  // round-off may make it negative
   using std::sqrt;
   return sqrt(2 * (squared > 0 ? squared : 0) + 4 * beside);
 }
 
-/// Local relaxation rate with the eddy viscosity nu_t = (C dx)^2 |S|, |S| from the site's own
+/// Local relaxation time with the eddy viscosity nu_t = (C dx)^2 |S|, |S| from the site's own
 /// non-equilibrium deviator:
 ///   tau = (tau0 + r) / 2,  r = sqrt(tau0^2 + a),  a = 18 C^2 |Pi| / rho,  |Pi| = sqrt(2 Pi:Pi).
 /// Hou, Sterling, Chen & Doolen, Fields Inst. Commun. 6 (1996) 151.
 /// @param volume            1 / rho
-/// @param constant_squared  C^2; zero leaves omega
+/// @param tau               without the eddy viscosity, tau0
+/// @param constant_squared  C^2; zero leaves tau
 template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION Real smagorinsky_rate(Real omega, Real magnitude, Real volume,
+KOKKOS_FORCEINLINE_FUNCTION Real smagorinsky_time(Real tau, Real magnitude, Real volume,
                                                   Real constant_squared)
 {
-  Real const tau = 1 / omega, a = 18 * constant_squared * magnitude * volume;
+  Real const a = 18 * constant_squared * magnitude * volume;
   using std::sqrt;
-  return 2 / (tau + sqrt(tau * tau + a));
+  return (tau + sqrt(tau * tau + a)) / 2;
 }
 
 }  // namespace velum::lbm

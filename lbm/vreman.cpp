@@ -114,7 +114,7 @@ template <class Real, class L, class Stored>
 struct ShareRow {
   Real const* u[L::D];
   std::uint8_t const* side;
-  float* share;
+  Real* share;
   int stride[L::D];
   Real scale;  // C_V / C^2
 
@@ -142,7 +142,7 @@ struct ShareRow {
       });
     });
     Real const ratio = viscosity_ratio(gradient);
-    share[x] = whole ? float(scale * ratio) : 0.0f;
+    share[x] = whole ? Real(scale * ratio) : Real(0);
   }
 };
 

@@ -64,15 +64,27 @@ Bandwidth measure_bandwidth(std::size_t bytes)
               })};
 }
 
-double measure_streams(int streams, std::size_t bytes_of_each)
+namespace {
+
+constexpr std::size_t vector = 16, row = 16 * vector, ahead = 128;
+constexpr std::size_t padding = 144;  // no power of two: streams must not share lines of a cache
+
+}  // namespace
+
+Streams::Streams(int count, std::size_t bytes_of_each)
+    : count_(static_cast<std::size_t>(count)),
+      size_(std::max(bytes_of_each / sizeof(float) / row, std::size_t(1)) * row),
+      stride_(size_ + padding),
+      all_(make_array(count_ * stride_ + ahead))
 {
-  constexpr std::size_t vector = 16, row = 16 * vector, ahead = 128, padding = 144;
-  std::size_t const n = std::max(bytes_of_each / sizeof(float) / row, std::size_t(1)) * row;
-  std::size_t const stride = n + padding;  // as many cache lines as no power of two has
-  auto const count = static_cast<std::size_t>(streams);
-  Array const all = make_array(count * stride + ahead);
-  return speed(
-      n / row * block, 2 * double(count * n) * sizeof(float), KOKKOS_LAMBDA(std::size_t r) {
+}
+
+double Streams::speed() const
+{
+  std::size_t const count = count_, stride = stride_;
+  Array const all = all_;
+  return cases::speed(
+      size_ / row * block, 2 * double(count * size_) * sizeof(float), KOKKOS_LAMBDA(std::size_t r) {
         for (std::size_t x = r * row; x < (r + 1) * row; x += vector)
           for (std::size_t s = 0; s < count; ++s) {
             float* const p = &all(s * stride + x);

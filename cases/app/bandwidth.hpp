@@ -1,4 +1,5 @@
 #pragma once
+#include <Kokkos_Core.hpp>
 #include <cstddef>
 
 namespace velum::cases {
@@ -15,8 +16,16 @@ struct Bandwidth {
 /// Measures with arrays of the given size in all, a third of a second each.
 Bandwidth measure_bandwidth(std::size_t bytes);
 
-/// The same in place over as many streams at once as a lattice has directions, with the prefetching
+/// As many streams at once as a lattice has directions, each updated in place with the prefetching
 /// of the step: what is left of a step when it computes nothing, and so its ceiling.
-double measure_streams(int streams, std::size_t bytes_of_each);
+class Streams {
+ public:
+  Streams(int count, std::size_t bytes_of_each);
+  double speed() const;  // bytes per second, over a third of a second
+
+ private:
+  std::size_t count_, size_, stride_;  // numbers
+  Kokkos::View<float*> all_;
+};
 
 }  // namespace velum::cases

@@ -24,7 +24,11 @@ int bytes_per_cell(Lattice const& lattice)
 Row memory_row(Scene const& scene, double cells)
 {
   // The populations, a mask, the share of the eddy viscosity, and the host's copy for output.
-  double const eddy = scene.les.model == LesModel::off ? 0 : sizeof(float);
+  int const eddy = scene.les.model == LesModel::off
+                       ? 0
+                       : with_format(scene.lattice, []<class Real, class L, class Stored>() {
+                           return static_cast<int>(sizeof(Real));
+                         });
   double const bytes = cells * (bytes_per_cell(scene.lattice) + 1 + eddy + sizeof(lbm::CellState) +
                                 output_bytes(scene));
   double const machine =

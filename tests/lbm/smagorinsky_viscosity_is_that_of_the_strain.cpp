@@ -68,9 +68,8 @@ TEST(Smagorinsky, GivesItsViscosityInPlaneShear)
 TEST(Smagorinsky, LeavesTheMolecularViscosityWithoutStrain)
 {
   for (double nu : {1e-4, 0.1, 1.0}) {
-    double const omega = 1 / (3 * nu + 0.5);
-    double const rate = lbm::smagorinsky_rate(omega, 0.0, 1 / 1.02, 0.01);
-    EXPECT_NEAR((1 / rate - 0.5) / 3 / nu, 1, 1e-12);
+    double const tau = lbm::smagorinsky_time(3 * nu + 0.5, 0.0, 1 / 1.02, 0.01);
+    EXPECT_NEAR((tau - 0.5) / 3 / nu, 1, 1e-12);
   }
 }
 
