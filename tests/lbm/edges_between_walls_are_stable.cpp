@@ -1,13 +1,13 @@
 // Problem: a square duct, 24 cells long and 12 wide, periodic along it, between walls that do not
-// slip; at first all of the fluid moves along it at u = 0.1, with a noise of 1 %, and nothing drives
-// it. Viscosities of 1e-3 and 1e-4: Re = 1200 and 12000, far from resolved.
+// slip; at first all of the fluid moves along it at u = 0.1, with a noise of 1 %, and nothing
+// drives it. Viscosities of 1e-3 and 1e-4: Re = 1200 and 12000, far from resolved.
 //
 // Argument: without a force the kinetic energy can only fall, and no fluid be several times faster
 // than all of it was at first. The cells along an edge between two walls are where the opposite is
-// seen: six populations of D3Q27 bounce to and fro there between the two walls and never leave. With
-// central moments whose fourth order goes to rho/9 the flow along the edges keeps up for ever at
-// nu = 1e-3, and at 1e-4 grows to several times the speed of the duct, then beyond any bound, within
-// 600 steps.
+// seen: six populations of D3Q27 bounce to and fro there between the two walls and never leave.
+// With central moments whose fourth order goes to rho/9 the flow along the edges keeps up for ever
+// at nu = 1e-3, and at 1e-4 grows to several times the speed of the duct, then beyond any bound,
+// within 600 steps.
 //
 // Reference: none; the bound is that of the energy.
 //
