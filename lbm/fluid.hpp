@@ -13,6 +13,12 @@ namespace velum::lbm {
 
 enum class Collision { bgk, trt, recursive_regularised, central_moments, cumulant };
 
+/// Whether a collision is defined on a lattice of so many directions: cumulants need D3Q27.
+constexpr bool is_defined(Collision collision, int directions)
+{
+  return collision != Collision::cumulant || directions == 27;
+}
+
 /// What the fluid is and how it relaxes, lattice units.
 struct Model {
   Collision collision = Collision::central_moments;

@@ -225,7 +225,7 @@ void stream_and_collide(Fluid<Real, L, Stored>& fluid)
       detail::update_rule(fluid, RecursiveRegularised<Real>{omega});
       break;
     case Collision::cumulant:
-      if constexpr (L::Q == 27)
+      if constexpr (is_defined(Collision::cumulant, L::Q))
         detail::update_rule(fluid, Cumulant<Real>{omega});
       else
         throw core::InputError("The cumulant collision needs the lattice d3q27.");

@@ -101,7 +101,7 @@ void bench_command(Options const& options)
     double const cells = std::pow(side, L::D);
     Streams const streams(L::Q, static_cast<std::size_t>(cells) * sizeof(Stored));
     for (auto const& [name, collision] : words(lbm::Collision{})) {
-      if (collision == lbm::Collision::cumulant && L::Q != 27) continue;
+      if (!lbm::is_defined(collision, L::Q)) continue;
       if (options.quick && collision != lbm::Collision::central_moments) continue;
       for (auto symmetry : {core::Symmetry::planar, core::Symmetry::axisymmetric})
         for (double constant : {0.0, 0.1}) {

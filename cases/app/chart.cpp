@@ -34,7 +34,7 @@ std::vector<ChartPoint> chart_points(Scene const& scene, bool quick)
   for (double const cell : dx)
     for (auto const& [collision_name, collision] : words(Collision{}))
       for (auto const& [precision_name, precision] : words(Precision{}))
-        if (collision != Collision::cumulant || scene.lattice.stencil == Stencil::d3q27)
+        if (lbm::is_defined(collision, directions(scene.lattice.stencil)))
           points.push_back({cell, collision, precision});
   return points;
 }

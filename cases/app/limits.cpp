@@ -48,7 +48,8 @@ Scene vortices_in_space(LimitPoint const& p, int cells)
               .lattice = {.dx = side / cells, .from = {0, 0, 0}, .to = {side, side, side}},
               .fluid = {.density = 1, .viscosity = 1 / p.reynolds},
               .run = {.settle = 12, .output_every = 12, .end = 12, .sample_every = 12}};
-  scene.lattice.stencil = p.collision == Collision::cumulant ? Stencil::d3q27 : Stencil::d3q19;
+  bool const on_d3q19 = lbm::is_defined(p.collision, directions(Stencil::d3q19));
+  scene.lattice.stencil = on_d3q19 ? Stencil::d3q19 : Stencil::d3q27;
   scene.lattice.periodic = {true, true, true};
   scene.initial = {.kind = InitialKind::taylor_green, .velocity = 1};
   return under(p, scene);

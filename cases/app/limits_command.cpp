@@ -65,7 +65,7 @@ void limits_command(Options const& options)
   };
   for (auto const& [name, collision] : words(Collision{})) {
     auto const sample = map.scene({collision, false, 0.1, 1e3}, cells);
-    if (collision == Collision::cumulant && sample.lattice.stencil != Stencil::d3q27) continue;
+    if (!lbm::is_defined(collision, directions(sample.lattice.stencil))) continue;
     for (bool const les : {false, true}) {
       for (double const mach : machs) add(largest_reynolds(map, {collision, les, mach, 0}, cells));
       add(largest_mach(map, {collision, les, 0, reynolds_of_mach_limit}, cells));

@@ -21,6 +21,10 @@ using lbm::Collision;
 
 enum class Fidelity { hydrostatic, axisymmetric, planar, space };
 enum class Stencil { d2q9, d3q19, d3q27 };
+constexpr int directions(Stencil s)
+{
+  return s == Stencil::d2q9 ? 9 : s == Stencil::d3q19 ? 19 : 27;
+}
 enum class Precision { double_, single_, half };
 enum class LesModel { auto_, off, smagorinsky, vreman };
 enum class SolidShape { box, disc, profile, sphere, cylinder, stl };

@@ -46,7 +46,7 @@ Lattice read_lattice(SceneTable table)
     table.fail("stencil", fmt::format("cannot be \"{}\" in {}", word(lattice.stencil),
                                       space ? "space; \"d3q19\" or \"d3q27\" can."
                                             : "a plane; only \"d2q9\" can."));
-  if (lattice.collision == Collision::cumulant && lattice.stencil != Stencil::d3q27)
+  if (!lbm::is_defined(lattice.collision, directions(lattice.stencil)))
     table.fail("collision", "= \"cumulant\" needs stencil = \"d3q27\", in a 3d scene.");
   return lattice;
 }

@@ -38,7 +38,8 @@ def draw_mach(axes, rows: list[dict[str, str]], colours: dict[str, str]) -> None
     for place, row in enumerate(rows):
         off, mach = row["les"] == "off", float(row["mach"])
         if row["bound"] == "all":
-            axes.text(place, 0, f"< {mach:g}", ha="center", va="bottom", fontsize=8)
+            axes.annotate(f"< {mach:g}", (place, 0), xytext=(0, 3), textcoords="offset points",
+                          ha="center", va="bottom", fontsize=8)
             continue
         axes.bar(place, mach, color=colours[row["collision"]] if off else "white",
                  edgecolor=colours[row["collision"]], hatch="" if off else "///")

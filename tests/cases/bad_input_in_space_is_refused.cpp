@@ -5,16 +5,7 @@
 namespace velum::tests {
 namespace {
 
-std::string const box = R"(name = "box"
-fidelity = "3d"
-[lattice]
-dx = "1 mm"
-from = ["0 mm", "0 mm", "0 mm"]
-to = ["20 mm", "10 mm", "10 mm"]
-[fluid]
-density = "1000 kg/m3"
-viscosity = "1e-5 m2/s"
-[solid.ball]
+std::string const box = box_in_space + R"([solid.ball]
 shape = "sphere"
 centre = ["5 mm", "5 mm", "5 mm"]
 radius = "2 mm"

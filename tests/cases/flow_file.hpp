@@ -40,6 +40,18 @@ solid = "post"
 end = "2 s"
 )";
 
+/// The beginning of a scene in space.
+inline std::string const box_in_space = R"(name = "box"
+fidelity = "3d"
+[lattice]
+dx = "1 mm"
+from = ["0 mm", "0 mm", "0 mm"]
+to = ["20 mm", "10 mm", "10 mm"]
+[fluid]
+density = "1000 kg/m3"
+viscosity = "1e-5 m2/s"
+)";
+
 /// The text with lines added at its end.
 inline std::string with(std::string const& text, std::string const& lines)
 {

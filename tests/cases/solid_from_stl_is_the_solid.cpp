@@ -13,17 +13,7 @@
 namespace velum::tests {
 namespace {
 
-std::string const duct = R"(name = "duct"
-fidelity = "3d"
-[lattice]
-dx = "1 mm"
-from = ["0 mm", "0 mm", "0 mm"]
-to = ["20 mm", "10 mm", "10 mm"]
-[fluid]
-density = "1000 kg/m3"
-viscosity = "1e-5 m2/s"
-[solid.block]
-)";
+std::string const duct = box_in_space + "[solid.block]\n";
 std::string const as_box = R"(shape = "box"
 from = ["5.3 mm", "2.6 mm", "3 mm"]
 to = ["8.4 mm", "7 mm", "6.7 mm"]

@@ -14,13 +14,10 @@
 #include <cmath>
 #include <random>
 
-#include "lbm/bgk.hpp"
-#include "lbm/central_moment.hpp"
 #include "lbm/collide.hpp"
 #include "lbm/observe.hpp"
-#include "lbm/recursive_regularised.hpp"
-#include "lbm/trt.hpp"
 #include "tests/support/flow.hpp"
+#include "tests/support/rules.hpp"
 
 namespace velum {
 namespace {
@@ -44,19 +41,6 @@ Sums sums(double const (&f)[9], double radius, double sign)
   return s;
 }
 
-/// Calls check(rule) for each collision at a low and a high viscosity.
-template <class Check>
-void with_each_collision(Check const& check)
-{
-  for (double nu : {3e-4, 0.2}) {
-    double const omega = 1 / (3 * nu + 0.5);
-    check(lbm::Bgk<double>{omega});
-    check(lbm::Trt<double>{omega, 1.0 / 8});
-    check(lbm::RecursiveRegularised<double>{omega});
-    check(lbm::CentralMoment<double>{omega});
-  }
-}
-
 struct Random {
   std::mt19937 engine{1};
   void fill(double (&f)[9])
@@ -69,7 +53,7 @@ struct Random {
 TEST(AxisymmetricCollision, KeepsMassAndAxialMomentum)
 {
   Random random;
-  with_each_collision([&](auto const& rule) {
+  tests::with_each_rule<D2Q9>([&](auto const& rule) {
     for (double radius : {0.5, 1.5, 7.5, 100.5})
       for (double c2 : {0.0, 0.01})
         for (int n = 0; n < 20; ++n) {
@@ -86,7 +70,7 @@ TEST(AxisymmetricCollision, KeepsMassAndAxialMomentum)
 
 TEST(AxisymmetricCollision, LeavesRestAlone)
 {
-  with_each_collision([&](auto const& rule) {
+  tests::with_each_rule<D2Q9>([&](auto const& rule) {
     for (double radius : {0.5, 1.5, 100.5}) {
       double f[9] = {};
       lbm::collide<D2Q9, true, true>(f, rule, {{}, 1 / radius, 0.01});
@@ -101,7 +85,7 @@ TEST(AxisymmetricCollision, LeavesRestAlone)
 TEST(PlanarCollision, KeepsMassAndAddsTheForceToTheMomentum)
 {
   Random random;
-  with_each_collision([&](auto const& rule) {
+  tests::with_each_rule<D2Q9>([&](auto const& rule) {
     for (double force : {0.0, 1e-3})
       for (int n = 0; n < 20; ++n) {
         double f[9];

@@ -8,36 +8,19 @@
 
 #include <random>
 
-#include "lbm/bgk.hpp"
-#include "lbm/central_moment.hpp"
 #include "lbm/collide.hpp"
-#include "lbm/cumulant.hpp"
-#include "lbm/recursive_regularised.hpp"
-#include "lbm/trt.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/rules.hpp"
 
 namespace velum {
 namespace {
-
-template <class L, class Check>
-void with_each_rule(Check const& check)
-{
-  for (double nu : {3e-4, 0.2}) {
-    double const omega = 1 / (3 * nu + 0.5);
-    check(lbm::Bgk<double>{omega});
-    check(lbm::Trt<double>{omega, 1.0 / 8});
-    check(lbm::RecursiveRegularised<double>{omega});
-    check(lbm::CentralMoment<double>{omega});
-    if constexpr (L::Q == 27) check(lbm::Cumulant<double>{omega});
-  }
-}
 
 template <class L>
 void invariants()
 {
   std::mt19937 engine{1};
   std::uniform_real_distribution<double> noise(-0.1, 0.1);
-  with_each_rule<L>([&](auto const& rule) {
+  tests::with_each_rule<L>([&](auto const& rule) {
     for (double c2 : {0.0, 0.01})
       for (int n = 0; n < 20; ++n) {
         double f[L::Q], before = 0, rho = 0;
