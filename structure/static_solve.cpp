@@ -4,6 +4,7 @@
 #include "structure/internal_force.hpp"
 #include "structure/mass.hpp"
 #include "structure/restrained.hpp"
+#include "structure/sheet_force.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/SparseCholesky>
@@ -23,7 +24,8 @@ struct Balance {
   double scale;
 };
 
-Balance balance(Membrane const& m, std::span<Load const> loads, double share)
+template <class Body>
+Balance balance(Body const& m, std::span<Load const> loads, double share)
 {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(m.position.size()), elastic = load;
   for (auto const& l : loads) l(m.position, load, nullptr);
@@ -36,7 +38,8 @@ Balance balance(Membrane const& m, std::span<Load const> loads, double share)
 }
 
 /// K = -d(elastic + share * loads)/dx of the free components.
-Matrix tangent(Membrane const& m, std::span<Load const> loads, double share)
+template <class Body>
+Matrix tangent(Body const& m, std::span<Load const> loads, double share)
 {
   Triplets entries;
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(m.position.size());
@@ -53,6 +56,19 @@ bool positive_definite(Matrix const& matrix)
   return ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 0;
 }
 
+int dimension(Membrane const&) { return 2; }
+int dimension(Sheet const&) { return 3; }
+
+double extent(Membrane const& m)
+{
+  return norm(node(m.reference, node_count(m) - 1) - node(m.reference, 0));
+}
+double extent(Sheet const& s)
+{
+  auto const points = s.reference.reshaped(3, node_count(s));
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm() / 2;
+}
+
 struct Relaxation {
   bool converged = false;
   bool burst = false;
@@ -62,7 +78,8 @@ struct Relaxation {
 
 /// Pseudo-transient Newton under a constant share of the load, from the position of m: implicit
 /// Euler steps of M dx/dtau = residual(x) with shift = 1 / dtau, each solved only as far as needed.
-Relaxation relax(Membrane& m, std::span<Load const> loads, double share, Matrix const& mass,
+template <class Body>
+Relaxation relax(Body& m, std::span<Load const> loads, double share, Matrix const& mass,
                  double reach, StaticOptions const& options)
 {
   constexpr int max_newton = 8;   // contact that opens or closes needs a few
@@ -116,7 +133,8 @@ Relaxation relax(Membrane& m, std::span<Load const> loads, double share, Matrix 
   return r;
 }
 
-[[noreturn]] void give_up(Membrane const& m, Relaxation const& r, double carried, double tried)
+template <class Body>
+[[noreturn]] void give_up(Body const& m, Relaxation const& r, double carried, double tried)
 {
   Eigen::Index worst = 0;
   r.last.residual.cwiseAbs().maxCoeff(&worst);
@@ -129,25 +147,26 @@ Relaxation relax(Membrane& m, std::span<Load const> loads, double share, Matrix 
                 "membrane thicker or stiffer, or lower the pressure",
                 stretch)
           : std::string(
-                "the membrane may be compressed along its meridian, where it buckles, or "
+                "the membrane may be compressed in its plane, where it buckles, or "
                 "it slips off its contact");
   throw core::Divergence(
       fmt::format("no stable static equilibrium beyond {:.4f} of the load (tried {:.4f}); largest "
                   "residual {:.1e} of the nodal force at node {} of {}; {}",
-                  carried, tried, r.last.residual.cwiseAbs().maxCoeff() / r.last.scale, worst / 2,
-                  node_count(m), cause));
+                  carried, tried, r.last.residual.cwiseAbs().maxCoeff() / r.last.scale,
+                  worst / dimension(m), node_count(m), cause));
 }
 
 }  // namespace
 
-StaticReport static_solve(Membrane& m, std::span<Load const> loads, StaticOptions const& options)
+template <class Body>
+StaticReport static_solve(Body& m, std::span<Load const> loads, StaticOptions const& options)
 {
   Eigen::VectorXd const nodal = lumped_mass(m);
   Triplets entries;
-  for (int i = 0; i < m.position.size(); ++i) entries.emplace_back(i, i, nodal[i / 2]);
+  for (int i = 0; i < m.position.size(); ++i) entries.emplace_back(i, i, nodal[i / dimension(m)]);
   Matrix mass(m.position.size(), m.position.size());
   mass.setFromTriplets(entries.begin(), entries.end());
-  double const reach = 0.05 * norm(node(m.reference, node_count(m) - 1) - node(m.reference, 0));
+  double const reach = 0.05 * extent(m);
 
   StaticReport report;
   Eigen::VectorXd good = m.position;
@@ -172,5 +191,8 @@ StaticReport static_solve(Membrane& m, std::span<Load const> loads, StaticOption
     if (!m.fixed[i]) m.velocity[i] = 0;
   return report;
 }
+
+template StaticReport static_solve(Membrane&, std::span<Load const>, StaticOptions const&);
+template StaticReport static_solve(Sheet&, std::span<Load const>, StaticOptions const&);
 
 }  // namespace velum::structure

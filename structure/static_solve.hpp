@@ -1,6 +1,7 @@
 #pragma once
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
+#include "structure/sheet.hpp"
 
 #include <span>
 
@@ -19,8 +20,8 @@ struct StaticReport {
   double residual = 0;  ///< largest nodal residual / largest nodal force
 };
 
-/// Moves the membrane to static equilibrium, elastic force + sum of loads = 0, and sets the
-/// velocity of its free components to zero.
+/// Moves the body (a Membrane or a Sheet) to static equilibrium, elastic force + sum of loads = 0,
+/// and sets the velocity of its free components to zero.
 ///
 /// Newton with the exact tangent K, damped as pseudo-transient continuation (Kelley and Keyes, SIAM
 /// J. Numer. Anal. 35 (1998) 508, doi:10.1137/S0036142996304796): (K + s M) dx = residual, s from
@@ -31,7 +32,7 @@ struct StaticReport {
 /// Throws core::Divergence where no stable equilibrium is found: the sentence has the fraction of
 /// the load that was carried, the node of the largest residual and the likely cause (such as the
 /// inflation limit point, p a / (mu H) = 1.879 of a clamped disc).
-StaticReport static_solve(Membrane& m, std::span<Load const> loads,
-                          StaticOptions const& options = {});
+template <class Body>
+StaticReport static_solve(Body& m, std::span<Load const> loads, StaticOptions const& options = {});
 
 }  // namespace velum::structure

@@ -1,0 +1,17 @@
+#pragma once
+#include "structure/load.hpp"
+#include "structure/sheet.hpp"
+
+namespace velum::structure {
+
+/// Follower pressure on the plus side of each triangle (negative: on the minus side): -p n on the
+/// deformed area, a third to each corner, which is the exact integral of the linear shape
+/// functions; tangent exact. It is the gradient of -p V where the rim is held.
+/// @param s, pressure  kept by reference: must outlive the load; may change   pressure: [T]
+Load pressure_load(Sheet const& s, Eigen::VectorXd const& pressure);
+
+/// Volume swept from the undeformed to the current state towards the plus sides, the rim's own
+/// sweep seen from the origin included (none where the rim is held).
+double swept_volume(Sheet const& s, Eigen::VectorXd const& x);
+
+}  // namespace velum::structure
