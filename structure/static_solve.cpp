@@ -49,12 +49,27 @@ Matrix tangent(Body const& m, std::span<Load const> loads, double share)
   return restrained(entries, m.fixed);
 }
 
-bool positive_definite(Matrix const& matrix)
-{
-  Matrix const symmetric = 0.5 * (matrix + Matrix(matrix.transpose()));
-  Eigen::SimplicialLDLT<Matrix> const ldlt(symmetric);
-  return ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 0;
-}
+/// Factors of a matrix: of its symmetric part, which tell whether it is definite, and which solve
+/// too where it is symmetric, as it is under any pressure that has a potential.
+struct Factors {
+  explicit Factors(Matrix const& matrix) : whole(matrix)
+  {
+    Matrix const transposed = matrix.transpose();
+    ldlt.compute(0.5 * (matrix + transposed));
+    definite = ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 0;
+    symmetric = (matrix - transposed).norm() < 1e-12 * matrix.norm();
+  }
+
+  Eigen::VectorXd solve(Eigen::VectorXd const& right) const
+  {
+    if (symmetric) return ldlt.solve(right);
+    return Eigen::SparseLU<Matrix>(whole).solve(right);
+  }
+
+  Matrix const& whole;
+  Eigen::SimplicialLDLT<Matrix> ldlt;
+  bool definite, symmetric;
+};
 
 int dimension(Membrane const&) { return 2; }
 int dimension(Sheet const&) { return 3; }
@@ -98,7 +113,8 @@ Relaxation relax(Body& m, std::span<Load const> loads, double share, Matrix cons
     double const now = r.last.residual.cwiseAbs().maxCoeff();
     if (!std::isfinite(now)) return r;
     if (now <= options.tolerance * r.last.scale + floor) {
-      r.converged = positive_definite(K + tiny * mass);
+      Matrix const nudged = K + tiny * mass;
+      r.converged = Factors(nudged).definite;
       return r;
     }
     Eigen::VectorXd const start = m.position;
@@ -111,8 +127,9 @@ Relaxation relax(Body& m, std::span<Load const> loads, double share, Matrix cons
     for (; newton < max_newton && !accepted; ++newton, ++r.iterations) {
       if (newton > 0) K = tangent(m, loads, share);
       Matrix const J = K + shift * mass;
-      if (!positive_definite(J)) break;
-      m.position += Eigen::SparseLU<Matrix>(J).solve(open);
+      Factors const factors(J);
+      if (!factors.definite) break;
+      m.position += factors.solve(open);
       next = balance(m, loads, share);
       open = next.residual - shift * (mass * (m.position - start));
       missed = open.norm() / size;

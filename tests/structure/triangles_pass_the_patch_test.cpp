@@ -1,0 +1,162 @@
+// problem:   an uneven sheet of triangles under homogeneous deformations; rigid motions; random
+//            states
+// reference: W of the strain alone; inner nodes without force; energy and forces turn with the
+//            sheet; derivatives by central differences
+// measure:   residual of inner nodes over the largest nodal force; differences over the largest
+//            entry
+// tolerance: 1e-13 for identities, 1e-7 for differences (step 1e-6 of the size: truncation 1e-12
+//            over round-off 1e-10)
+// why:       linear triangles hold every homogeneous deformation exactly: only round-off remains
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "structure/sheet_force.hpp"
+#include "structure/sheet_mesh.hpp"
+#include "structure/sheet_pressure.hpp"
+#include "structure/triangle_element.hpp"
+
+namespace velum::structure {
+namespace {
+
+constexpr MooneyRivlin rubber{.c10 = 0.4, .c01 = 0.05, .c20 = 0.03, .c11 = -0.01, .c02 = 0.007};
+
+/// A strip whose inner points are moved about.
+Sheet uneven_sheet()
+{
+  auto mesh = strip_mesh(graded(0, 1, 5, 2), graded(0, 1.3, 6, 0.5));
+  std::mt19937 engine{2};
+  std::uniform_real_distribution<double> shift(-0.04, 0.04);
+  auto const rim = rim_points(mesh);
+  for (int a = 0; a < mesh.points.size() / 3; ++a)
+    if (!std::ranges::binary_search(rim, a)) {
+      mesh.points[3 * a + 1] += shift(engine);
+      mesh.points[3 * a + 2] += shift(engine);
+    }
+  return make_sheet(mesh, 0.01, rubber, 1);
+}
+
+Eigen::VectorXd moved(Sheet const& s, Eigen::Matrix3d const& F)
+{
+  Eigen::VectorXd x = s.reference;
+  for (int a = 0; a < node_count(s); ++a) x.segment<3>(3 * a) = F * node3(s.reference, a);
+  return x;
+}
+
+Eigen::Matrix3d stretched(double y, double z, double shear)
+{
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F(1, 1) = y, F(2, 2) = z, F(1, 2) = shear, F(0, 1) = 0.3;
+  return F;
+}
+
+Eigen::VectorXd elastic_force(Sheet const& s, Eigen::VectorXd const& x)
+{
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
+  add_elastic_force(s, x, force);
+  return force;
+}
+
+/// A state without any symmetry.
+Eigen::VectorXd crumpled(Sheet const& s)
+{
+  std::mt19937 engine{5};
+  std::normal_distribution<double> shift(0, 0.02);
+  Eigen::VectorXd x = moved(s, stretched(1.3, 0.9, 0.2));
+  for (double& c : x) c += shift(engine);
+  return x;
+}
+
+TEST(Triangles, pass_the_patch_test)
+{
+  Sheet const s = uneven_sheet();
+  auto const rim = rim_points({s.reference, s.triangles});
+  for (auto const& F : {stretched(1.4, 1.1, 0), stretched(0.9, 1.7, 0.4), stretched(2, 2, -0.3)}) {
+    Eigen::VectorXd const x = moved(s, F), force = elastic_force(s, x);
+    Eigen::Matrix3d const C = F.transpose() * F;
+    double const W = plane_stress(rubber, C(1, 1), C(2, 2), C(1, 2)).W;
+    EXPECT_NEAR(elastic_energy(s, x) / (W * 0.01 * 1.3), 1, 1e-13);
+    for (int a = 0; a < node_count(s); ++a)
+      EXPECT_TRUE(std::ranges::binary_search(rim, a) ||
+                  node3(force, a).norm() < 1e-13 * force.cwiseAbs().maxCoeff())
+          << a;
+  }
+}
+
+TEST(Triangles, feel_no_rigid_motion)
+{
+  Sheet const s = uneven_sheet();
+  Eigen::Matrix3d const R =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  EXPECT_LT(elastic_force(s, moved(s, R)).cwiseAbs().maxCoeff(), 1e-15);
+  Eigen::VectorXd const x = crumpled(s), force = elastic_force(s, x);
+  Eigen::VectorXd turned = x;
+  for (int a = 0; a < node_count(s); ++a)
+    turned.segment<3>(3 * a) = R * node3(x, a) + Eigen::Vector3d(3, 1, -2);
+  Eigen::VectorXd const after = elastic_force(s, turned);
+  EXPECT_NEAR(elastic_energy(s, turned) / elastic_energy(s, x), 1, 1e-12);
+  for (int a = 0; a < node_count(s); ++a)
+    EXPECT_LT((node3(after, a) - R * node3(force, a)).norm(), 1e-13);
+}
+
+TEST(Triangles, have_the_force_and_tangent_of_their_energy)
+{
+  Sheet const s = uneven_sheet();
+  Eigen::VectorXd const x = crumpled(s), force = elastic_force(s, x);
+  Triplets entries;
+  add_stiffness(s, x, entries);
+  Eigen::SparseMatrix<double> K(x.size(), x.size());
+  K.setFromTriplets(entries.begin(), entries.end());
+  double const step = 1e-6, largest = K.coeffs().cwiseAbs().maxCoeff();
+  EXPECT_LT(Eigen::MatrixXd(K - Eigen::SparseMatrix<double>(K.transpose())).cwiseAbs().maxCoeff(),
+            1e-14 * largest);
+  for (int i = 0; i < x.size(); i += 7) {
+    Eigen::VectorXd ahead = x, behind = x;
+    ahead[i] += step, behind[i] -= step;
+    double const slope = (elastic_energy(s, ahead) - elastic_energy(s, behind)) / (2 * step);
+    EXPECT_NEAR(-force[i], slope, 1e-7 * force.cwiseAbs().maxCoeff()) << i;
+    Eigen::VectorXd const column =
+        (elastic_force(s, behind) - elastic_force(s, ahead)) / (2 * step);
+    EXPECT_LT((column - Eigen::VectorXd(K.col(i))).cwiseAbs().maxCoeff(), 1e-7 * largest) << i;
+  }
+}
+
+TEST(Triangles, have_the_pressure_of_their_volume_and_its_tangent)
+{
+  Sheet const s = uneven_sheet();
+  Eigen::VectorXd const x = crumpled(s);
+  Eigen::VectorXd const p = Eigen::VectorXd::LinSpaced(element_count(s), 0.5, 2);
+  auto const load = pressure_load(s, p);
+  auto const force = [&](Eigen::VectorXd const& at) {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(at.size());
+    load(at, f, nullptr);
+    return f;
+  };
+  Triplets entries;
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(x.size());
+  load(x, unused, &entries);
+  Eigen::SparseMatrix<double> K(x.size(), x.size());
+  K.setFromTriplets(entries.begin(), entries.end());
+  double const step = 1e-6, largest = K.coeffs().cwiseAbs().maxCoeff();
+  for (int i = 0; i < x.size(); i += 7) {
+    Eigen::VectorXd ahead = x, behind = x;
+    ahead[i] += step, behind[i] -= step;
+    Eigen::VectorXd const column = (force(ahead) - force(behind)) / (2 * step);
+    EXPECT_LT((column - Eigen::VectorXd(K.col(i))).cwiseAbs().maxCoeff(), 1e-7 * largest) << i;
+  }
+  // of one pressure, at points off the rim
+  Eigen::VectorXd const one = Eigen::VectorXd::Constant(element_count(s), -1);
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(x.size());
+  pressure_load(s, one)(x, f, nullptr);
+  auto const rim = rim_points({s.reference, s.triangles});
+  for (int a = 0; a < node_count(s); ++a)
+    for (int i = 3 * a; i < 3 * a + 3 && !std::ranges::binary_search(rim, a); ++i) {
+      Eigen::VectorXd ahead = x, behind = x;
+      ahead[i] += step, behind[i] -= step;
+      double const slope = (swept_volume(s, ahead) - swept_volume(s, behind)) / (2 * step);
+      EXPECT_NEAR(f[i], slope, 1e-7 * f.cwiseAbs().maxCoeff());
+    }
+}
+
+}  // namespace
+}  // namespace velum::structure
