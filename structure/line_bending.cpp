@@ -1,0 +1,161 @@
+#include "structure/line_bending.hpp"
+
+#include "structure/normal_part.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace velum::structure {
+namespace {
+
+using Map = Eigen::Matrix<double, 2, 6>;  // by the coordinates of the nodes before, here, behind
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// First of the three nodes' coordinates in the whole vector; a missing node's are not looked at.
+int first_of(BendingNode const& b) { return 2 * (b.node - 1); }
+
+Vector6 coordinates(BendingNode const& b, Eigen::VectorXd const& x)
+{
+  Vector6 c = Vector6::Zero();
+  c.segment<2>(2) = x.segment<2>(2 * b.node);
+  if (b.behind) c.segment<2>(4) = x.segment<2>(2 * b.node + 2);
+  if (b.before && !b.on_axis) c.segment<2>(0) = x.segment<2>(2 * b.node - 2);
+  return c;
+}
+
+/// The slope of one side, linear in the coordinates: map times them, plus what a clamp holds.
+struct Slope {
+  Map map = Map::Zero();
+  Eigen::Vector2d held = Eigen::Vector2d::Zero();
+};
+
+Slope slope(BendingNode const& b, bool behind)
+{
+  Slope s;
+  double const length = behind ? b.length_behind : b.length_before;
+  Eigen::Matrix2d const one = Eigen::Matrix2d::Identity() / length;
+  if (!(behind ? b.behind : b.before)) {
+    s.held = Eigen::Vector2d(b.held[0], b.held[1]);
+  } else if (behind) {
+    s.map.block<2, 2>(0, 4) = one;
+    s.map.block<2, 2>(0, 2) = -one;
+  } else if (b.on_axis) {
+    s.map.block<2, 2>(0, 2) = one;
+    s.map.block<2, 2>(0, 4) = one * Eigen::Vector2d(-1, 1).asDiagonal();
+  } else {
+    s.map.block<2, 2>(0, 2) = one;
+    s.map.block<2, 2>(0, 0) = -one;
+  }
+  return s;
+}
+
+struct Curvatures {
+  Jet<6> k1, k2;
+};
+
+Curvatures curvatures(BendingNode const& b, Eigen::VectorXd const& x)
+{
+  auto const before = slope(b, false), behind = slope(b, true);
+  Vector6 const c = coordinates(b, x);
+  Eigen::Vector2d const s0 = before.map * c + before.held, s1 = behind.map * c + behind.held;
+  double const L = (b.length_before + b.length_behind) / 2;
+  // a clamp holds the normal too
+  bool const held = !b.before || !b.behind;
+  Map const maps[1] = {held ? Map(Map::Zero()) : Map((before.map + behind.map) / 2)};
+  Eigen::Vector2d const tangent =
+      held ? Eigen::Vector2d(b.held[0], b.held[1]) : Eigen::Vector2d((s0 + s1) / 2);
+  auto const normal = unit_normal<2, 6>(tangent, maps);
+  Curvatures k{normal_part<2, 6>(normal, (s1 - s0) / L, (behind.map - before.map) / L), {}};
+  k.k2 = {0, Vector6::Zero(), Matrix6::Zero()};
+  if (b.on_axis) {
+    k.k2 = k.k1;
+  } else if (b.Y > 0 && !held) {
+    auto const tilt = normal_part<2, 6>(normal, Eigen::Vector2d(0, 1), Map(Map::Zero()));
+    double const y = c[3], share = -1 / (b.Y * b.Y);
+    Vector6 const by_y = Vector6::Unit(3);
+    k.k2.value = share * y * tilt.value;
+    k.k2.gradient = share * (y * tilt.gradient + tilt.value * by_y);
+    k.k2.hessian = share * (y * tilt.hessian + by_y * tilt.gradient.transpose() +
+                            tilt.gradient * by_y.transpose());
+  }
+  return k;
+}
+
+/// Derivatives of the energy A/2 D (e1^2 + e1 e2 + e2^2) by e1 and e2.
+Eigen::Vector2d moments(BendingNode const& b, Curvatures const& k)
+{
+  double const e1 = k.k1.value - b.k1, e2 = k.k2.value - b.k2;
+  return b.area * b.stiffness * Eigen::Vector2d(e1 + e2 / 2, e2 + e1 / 2);
+}
+
+}  // namespace
+
+LineBending line_bending(Membrane const& m, Rim rim)
+{
+  LineBending all;
+  int const nodes = node_count(m);
+  for (int a = 0; a < nodes; ++a) {
+    BendingNode b{};
+    b.node = a;
+    b.on_axis = a == 0 && starts_on_axis(m);
+    b.before = a > 0 || b.on_axis;
+    b.behind = a + 1 < nodes;
+    bool const end = !b.before || !b.behind;
+    if (end && (rim == Rim::hinged || !m.fixed[2 * a] || !m.fixed[2 * a + 1])) continue;
+    auto const here = node(m.reference, a);
+    auto const length = [&](int other) { return norm(node(m.reference, other) - here); };
+    b.length_behind = b.behind ? length(a + 1) : 0;
+    b.length_before = b.on_axis ? b.length_behind : b.before ? length(a - 1) : 0;
+    double const L = (b.length_before + b.length_behind) / 2;
+    bool const ring = m.symmetry == core::Symmetry::axisymmetric;
+    b.Y = ring ? here[1] : 0;
+    b.area = b.on_axis ? std::numbers::pi * L * L / 4 : core::ring(m.symmetry, here[1]) * L;
+    double const H =
+        (m.thickness[std::max(a - 1, 0)] + m.thickness[std::min(a, element_count(m) - 1)]) / 2;
+    b.stiffness = m.shear_modulus * H * H * H / 3;
+    if (end) {
+      int const other = b.behind ? a + 1 : a - 1;
+      b.held = (b.behind ? 1.0 : -1.0) / length(other) * (node(m.reference, other) - here);
+    }
+    auto const k = curvatures(b, m.reference);
+    b.k1 = k.k1.value;
+    b.k2 = k.k2.value;
+    all.push_back(b);
+  }
+  return all;
+}
+
+double bending_energy(LineBending const& bending, Eigen::VectorXd const& x)
+{
+  double energy = 0;
+  for (auto const& b : bending) {
+    auto const k = curvatures(b, x);
+    energy += moments(b, k).dot(Eigen::Vector2d(k.k1.value - b.k1, k.k2.value - b.k2)) / 2;
+  }
+  return energy;
+}
+
+Load bending_load(LineBending const& bending)
+{
+  return [&bending](Eigen::VectorXd const& x, Eigen::VectorXd& force, Triplets* tangent) {
+    for (auto const& b : bending) {
+      auto const k = curvatures(b, x);
+      Eigen::Vector2d const m = moments(b, k);
+      Vector6 const gradient = m[0] * k.k1.gradient + m[1] * k.k2.gradient;
+      int const first = first_of(b);
+      int const from = b.before && !b.on_axis ? 0 : 2, to = b.behind ? 6 : 4;
+      for (int i = from; i < to; ++i) force[first + i] -= gradient[i];
+      if (!tangent) continue;
+      auto const &g1 = k.k1.gradient, &g2 = k.k2.gradient;
+      Matrix6 const K = b.area * b.stiffness *
+                            (g1 * g1.transpose() + g2 * g2.transpose() +
+                             (g1 * g2.transpose() + g2 * g1.transpose()) / 2) +
+                        m[0] * k.k1.hessian + m[1] * k.k2.hessian;
+      for (int i = from; i < to; ++i)
+        for (int j = from; j < to; ++j) tangent->emplace_back(first + i, first + j, -K(i, j));
+    }
+  };
+}
+
+}  // namespace velum::structure

@@ -1,0 +1,38 @@
+#pragma once
+#include "structure/load.hpp"
+#include "structure/membrane.hpp"
+#include "structure/sheet_bending.hpp"
+
+#include <vector>
+
+namespace velum::structure {
+
+/// Bending of a chain of line elements about one node, without rotations as unknowns: the curvature
+/// along the meridian from the slopes before and behind, and around the axis from the tilt,
+///   k1 = n . (x'+ - x'-) / L,   k2 = -n_r y / Y^2,   x' = dx/dS,
+/// n the normal of the mean slope, L the mean length, S and Y of the undeformed chain. On the axis
+/// the mirror image continues the chain, and k2 = k1. Energy
+///   A/2 D (k1^2 + k1 k2 + k2^2) of the differences from the undeformed state,   D = mu H^3/3,
+/// that of a plate of an incompressible solid, E = 3 mu and nu = 1/2 (Timoshenko & Woinowsky-
+/// Krieger, Theory of Plates and Shells (1959), section 15); planar k2 = 0, plane strain.
+struct BendingNode {
+  int node;
+  bool before, behind;  ///< whether there are elements on either side, or images of them
+  bool on_axis;         ///< the node before is the image of that behind
+  double length_before, length_behind;
+  double Y;                ///< 0 where planar: no k2
+  double area, stiffness;  ///< A, D
+  core::Vec2 held;         ///< slope of a clamped end, which stands for the missing side
+  double k1, k2;           ///< of the undeformed state
+};
+using LineBending = std::vector<BendingNode>;
+
+/// @param rim  how ends whose node is held may turn
+LineBending line_bending(Membrane const& m, Rim rim);
+
+double bending_energy(LineBending const& b, Eigen::VectorXd const& x);
+
+/// The bending as a load, with its exact tangent. Keeps b by reference.
+Load bending_load(LineBending const& b);
+
+}  // namespace velum::structure
