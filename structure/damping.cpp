@@ -2,22 +2,48 @@
 
 #include "structure/line_element.hpp"
 #include "structure/load.hpp"
+#include "structure/triangle_element.hpp"
 
 #include <Eigen/Eigenvalues>
 
 namespace velum::structure {
+namespace {
+
+/// The matrix without its negative eigenvalues.
+template <int N>
+Eigen::Matrix<double, N, N> non_negative(Eigen::Matrix<double, N, N> const& matrix)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> const modes(matrix);
+  return modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() *
+         modes.eigenvectors().transpose();
+}
+
+}  // namespace
 
 Eigen::SparseMatrix<double> damping_stiffness(Membrane const& m, Eigen::VectorXd const& x)
 {
   Triplets entries;
   for (int e = 0; e < element_count(m); ++e) {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> const modes(element_tangent(m, x, e));
-    Eigen::Matrix4d const k = modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() *
-                              modes.eigenvectors().transpose();
+    Eigen::Matrix4d const k = non_negative<4>(element_tangent(m, x, e));
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) entries.emplace_back(2 * e + i, 2 * e + j, k(i, j));
   }
   Eigen::SparseMatrix<double> K0(m.reference.size(), m.reference.size());
+  K0.setFromTriplets(entries.begin(), entries.end());
+  return K0;
+}
+
+Eigen::SparseMatrix<double> damping_stiffness(Sheet const& s, Eigen::VectorXd const& x)
+{
+  Triplets entries;
+  for (int e = 0; e < element_count(s); ++e) {
+    Matrix9 const k = non_negative<9>(element_tangent(triangle_element(s, x, e)));
+    auto const& t = s.triangles[static_cast<std::size_t>(e)];
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j < 9; ++j)
+        entries.emplace_back(3 * t[i / 3] + i % 3, 3 * t[j / 3] + j % 3, k(i, j));
+  }
+  Eigen::SparseMatrix<double> K0(s.reference.size(), s.reference.size());
   K0.setFromTriplets(entries.begin(), entries.end());
   return K0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "structure/membrane.hpp"
+#include "structure/sheet.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -16,5 +17,6 @@ struct Rayleigh {
 /// element is compressed, its negative eigenvalues (buckling) are left out, so that damping never
 /// feeds energy. K0 of the law is that of the flat, unloaded state: pass m.reference.   [2N][2N]
 Eigen::SparseMatrix<double> damping_stiffness(Membrane const& m, Eigen::VectorXd const& x);
+Eigen::SparseMatrix<double> damping_stiffness(Sheet const& s, Eigen::VectorXd const& x);
 
 }  // namespace velum::structure

@@ -4,6 +4,7 @@
 #include "structure/internal_force.hpp"
 #include "structure/mass.hpp"
 #include "structure/restrained.hpp"
+#include "structure/sheet_force.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/SparseLU>
@@ -43,27 +44,29 @@ struct Outcome {
 Eigen::VectorXd damping_force(ImplicitStepper const& s, Eigen::VectorXd const& v)
 {
   Eigen::VectorXd force = s.damping.beta * (s.K0 * v);
-  for (int i = 0; i < v.size(); ++i) force[i] += s.damping.alpha * s.mass[i / 2] * v[i];
+  for (int i = 0; i < v.size(); ++i) force[i] += s.damping.alpha * s.mass[i] * v[i];
   return force;
 }
 
 Eigen::VectorXd times_mass(ImplicitStepper const& s, Eigen::VectorXd a)
 {
-  for (int i = 0; i < a.size(); ++i) a[i] *= s.mass[i / 2];
+  for (int i = 0; i < a.size(); ++i) a[i] *= s.mass[i];
   return a;
 }
 
-void start(ImplicitStepper& s, Membrane const& m, std::span<Load const> loads)
+template <class Body>
+void start(ImplicitStepper& s, Body const& m, std::span<Load const> loads)
 {
   Eigen::VectorXd force = -damping_force(s, m.velocity);
   for (auto const& load : loads) load(m.position, force, nullptr);
   add_elastic_force(m, m.position, force);
-  for (int i = 0; i < force.size(); ++i) force[i] = m.fixed[i] ? 0 : force[i] / s.mass[i / 2];
+  for (int i = 0; i < force.size(); ++i) force[i] = m.fixed[i] ? 0 : force[i] / s.mass[i];
   s.acceleration = force;
 }
 
 /// -d(residual)/dx' of the step equation.
-Eigen::SparseMatrix<double> jacobian(ImplicitStepper const& s, Membrane const& m,
+template <class Body>
+Eigen::SparseMatrix<double> jacobian(ImplicitStepper const& s, Body const& m,
                                      Eigen::VectorXd const& xf, double dt, Weights const& w,
                                      std::span<Load const> loads)
 {
@@ -75,28 +78,51 @@ Eigen::SparseMatrix<double> jacobian(ImplicitStepper const& s, Membrane const& m
   for (auto& t : entries) t = {t.row(), t.col(), (1 - w.alpha_f) * t.value()};
   double const c = (1 - w.alpha_f) * w.gamma / (w.beta * dt);
   double const inertia = (1 - w.alpha_m) / (w.beta * dt * dt) + c * s.damping.alpha;
-  for (int i = 0; i < xf.size(); ++i) entries.emplace_back(i, i, inertia * s.mass[i / 2]);
+  for (int i = 0; i < xf.size(); ++i) entries.emplace_back(i, i, inertia * s.mass[i]);
   for (int k = 0; k < s.K0.outerSize(); ++k)
     for (Eigen::SparseMatrix<double>::InnerIterator it(s.K0, k); it; ++it)
       entries.emplace_back(it.row(), it.col(), c * s.damping.beta * it.value());
   return restrained(entries, m.fixed);
 }
 
-/// True where an element changed by more than its own length: the step has left the path of the
-/// motion, and Newton found another root of the same equation.
-bool jumped(Eigen::VectorXd const& before, Eigen::VectorXd const& after)
+/// True where an element's side changed by more than its own length: the step has left the path of
+/// the motion, and Newton found another root of the same equation.
+template <int d>
+bool side_jumped(Eigen::VectorXd const& before, Eigen::VectorXd const& after, int a, int b)
 {
-  auto const element = [](Eigen::VectorXd const& x, Eigen::Index i) -> Eigen::Vector2d {
-    return x.segment<2>(i + 2) - x.segment<2>(i);
+  auto const side = [&](Eigen::VectorXd const& x) -> Eigen::Matrix<double, d, 1> {
+    return x.segment<d>(d * b) - x.segment<d>(d * a);
   };
-  for (Eigen::Index i = 0; i + 3 < before.size(); i += 2)
-    if ((element(after, i) - element(before, i)).norm() > element(before, i).norm()) return true;
+  return (side(after) - side(before)).norm() > side(before).norm();
+}
+
+bool jumped(Membrane const& m, Eigen::VectorXd const& before, Eigen::VectorXd const& after)
+{
+  for (int e = 0; e < element_count(m); ++e)
+    if (side_jumped<2>(before, after, e, e + 1)) return true;
   return false;
 }
 
+bool jumped(Sheet const& s, Eigen::VectorXd const& before, Eigen::VectorXd const& after)
+{
+  for (auto const& t : s.triangles)
+    for (int i = 0; i < 3; ++i)
+      if (side_jumped<3>(before, after, t[i], t[(i + 1) % 3])) return true;
+  return false;
+}
+
+/// The mass of a component is that of its node.
+Eigen::VectorXd per_component(Eigen::VectorXd const& nodal, int d)
+{
+  Eigen::VectorXd mass(d * nodal.size());
+  for (int i = 0; i < mass.size(); ++i) mass[i] = nodal[i / d];
+  return mass;
+}
+
 /// One step of length dt from old; next holds the result where it converged.
-Outcome try_step(ImplicitStepper const& s, Membrane const& m, State const& old, State& next,
-                 double dt, std::span<Load const> loads)
+template <class Body>
+Outcome try_step(ImplicitStepper const& s, Body const& m, State const& old, State& next, double dt,
+                 std::span<Load const> loads)
 {
   auto const w = weights(s.rho_inf);
   Outcome outcome;
@@ -123,12 +149,12 @@ Outcome try_step(ImplicitStepper const& s, Membrane const& m, State const& old, 
 
     Eigen::Index worst = 0;
     double const now = residual.cwiseAbs().maxCoeff(&worst);
-    outcome.worst_node = static_cast<int>(worst) / 2;
+    outcome.worst_node = static_cast<int>(worst) / dimension(m);
     outcome.residual = scale > 0 ? now / scale : 0;
     outcome.converged = std::isfinite(now) && now <= tolerance * scale + floor;
     bool const hopeless = !std::isfinite(now) || (iteration > 3 && now > 2 * previous);
     if (outcome.converged || hopeless || iteration == max_newton) {
-      outcome.converged = outcome.converged && !jumped(old.x, next.x);
+      outcome.converged = outcome.converged && !jumped(m, old.x, next.x);
       return outcome;
     }
 
@@ -142,14 +168,20 @@ Outcome try_step(ImplicitStepper const& s, Membrane const& m, State const& old, 
 
 }  // namespace
 
-ImplicitStepper implicit_stepper(Membrane const& m, Rayleigh const& damping, double rho_inf)
+template <class Body>
+ImplicitStepper implicit_stepper(Body const& m, Rayleigh const& damping, double rho_inf)
 {
   core::require(rho_inf >= 0 && rho_inf <= 1,
                 "the spectral radius at infinite frequency must lie between 0 and 1");
-  return {damping, rho_inf, lumped_mass(m), damping_stiffness(m, m.reference), {}};
+  return {damping,
+          rho_inf,
+          per_component(lumped_mass(m), dimension(m)),
+          damping_stiffness(m, m.reference),
+          {}};
 }
 
-ImplicitReport advance(ImplicitStepper& s, Membrane& m, double dt, std::span<Load const> loads)
+template <class Body>
+ImplicitReport advance(ImplicitStepper& s, Body& m, double dt, std::span<Load const> loads)
 {
   if (s.acceleration.size() == 0) start(s, m, loads);
   ImplicitReport report;
@@ -179,5 +211,10 @@ ImplicitReport advance(ImplicitStepper& s, Membrane& m, double dt, std::span<Loa
   }
   return report;
 }
+
+template ImplicitStepper implicit_stepper(Membrane const&, Rayleigh const&, double);
+template ImplicitStepper implicit_stepper(Sheet const&, Rayleigh const&, double);
+template ImplicitReport advance(ImplicitStepper&, Membrane&, double, std::span<Load const>);
+template ImplicitReport advance(ImplicitStepper&, Sheet&, double, std::span<Load const>);
 
 }  // namespace velum::structure

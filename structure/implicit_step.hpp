@@ -2,6 +2,7 @@
 #include "structure/damping.hpp"
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
+#include "structure/sheet.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -13,8 +14,8 @@ namespace velum::structure {
 struct ImplicitStepper {
   Rayleigh damping;
   double rho_inf;                  ///< spectral radius at infinite frequency, 0 to 1
-  Eigen::VectorXd mass;            ///< lumped                    [N]
-  Eigen::SparseMatrix<double> K0;  ///< of the reference state    [2N][2N]
+  Eigen::VectorXd mass;            ///< lumped, per component     [2N or 3N]
+  Eigen::SparseMatrix<double> K0;  ///< of the reference state
   Eigen::VectorXd acceleration;    ///< empty before the first step
 };
 
@@ -25,7 +26,9 @@ struct ImplicitReport {
   double residual = 0;  ///< largest of the accepted steps, relative to the nodal forces
 };
 
-ImplicitStepper implicit_stepper(Membrane const& m, Rayleigh const& damping, double rho_inf = 0.5);
+/// @param m  the body, a Membrane or a Sheet
+template <class Body>
+ImplicitStepper implicit_stepper(Body const& m, Rayleigh const& damping, double rho_inf = 0.5);
 
 /// Advances position and velocity by dt with the generalised-alpha scheme (Chung and Hulbert, J.
 /// Appl. Mech. 60 (1993) 371, doi:10.1115/1.2900803), forces taken at the intermediate position:
@@ -34,7 +37,7 @@ ImplicitStepper implicit_stepper(Membrane const& m, Rayleigh const& damping, dou
 /// Newton fails, the step is halved and sub-cycled until dt is reached. Stiff contact wants damping
 /// of what the step does not resolve: rho_inf of 0.5 or less.
 /// Throws core::Divergence where 2^-12 of dt still fails.
-ImplicitReport advance(ImplicitStepper& stepper, Membrane& m, double dt,
-                       std::span<Load const> loads);
+template <class Body>
+ImplicitReport advance(ImplicitStepper& stepper, Body& m, double dt, std::span<Load const> loads);
 
 }  // namespace velum::structure

@@ -40,6 +40,7 @@ struct FlatShape {
 /// axisymmetric membrane only keeps y = 0. Throws InputError where a size is not positive.
 Membrane flat_membrane(FlatShape const& shape);
 
+constexpr int dimension(Membrane const&) { return 2; }
 inline int node_count(Membrane const& m) { return static_cast<int>(m.reference.size()) / 2; }
 inline int element_count(Membrane const& m) { return node_count(m) - 1; }
 

@@ -36,6 +36,7 @@ struct Sheet {
 Sheet make_sheet(TriangleMesh const& mesh, double thickness, MooneyRivlin const& material,
                  double density);
 
+constexpr int dimension(Sheet const&) { return 3; }
 inline int node_count(Sheet const& s) { return static_cast<int>(s.reference.size()) / 3; }
 inline int element_count(Sheet const& s) { return static_cast<int>(s.triangles.size()); }
 

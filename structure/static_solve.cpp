@@ -71,9 +71,6 @@ struct Factors {
   bool definite, symmetric;
 };
 
-int dimension(Membrane const&) { return 2; }
-int dimension(Sheet const&) { return 3; }
-
 double extent(Membrane const& m)
 {
   return norm(node(m.reference, node_count(m) - 1) - node(m.reference, 0));
