@@ -1,0 +1,140 @@
+// problem:   clamped circular plate under uniform pressure, of triangles and of line elements,
+// small
+//            and large deflections; a clamped strip between long edges (planar); random states
+// reference: small: p a^4/(64 D), planar p b^4/(384 D) with b the whole width; large: w0/H +
+//            (1 + nu)(173 - 73 nu)/360 (w0/H)^3 = p a^4/(64 D H) with nu = 1/2 (Chia, Nonlinear
+//            Analysis of Plates (1980), an energy solution, good to some 1 % for w0/H <= 1.2);
+//            D = mu H^3/3; derivatives by central differences
+// measure:   relative error of w0; slope of the error over three grids; differences over the
+// largest
+//            entry
+// tolerance: small 1 %, large 2 %; order 2 +- 0.15 (triangles 2 +- 0.35); 1e-7
+// why:       the curvature is taken from differences of slopes, second order in the size of
+//            elements; the published solution is itself approximate; the triangles' pattern at the
+//            middle and the rim changes with the number of rings
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "structure/line_bending.hpp"
+#include "structure/pressure_load.hpp"
+#include "structure/sheet_bending.hpp"
+#include "structure/sheet_force.hpp"
+#include "structure/sheet_mesh.hpp"
+#include "structure/sheet_pressure.hpp"
+#include "structure/static_solve.hpp"
+#include "tests/support/order.hpp"
+
+namespace velum::structure {
+namespace {
+
+constexpr double mu = 1e6, H = 1e-3, a = 0.02, D = mu * H * H * H / 3;
+
+/// w0/H of a plate whose linear deflection would be `linear` times H.
+double by_triangles(int rings, double linear)
+{
+  auto const mesh = disc_mesh(graded(0, a, rings));
+  Sheet s = make_sheet(mesh, H, neo_hookean_rubber(mu), 1100);
+  for (int p : rim_points(mesh)) clamp(s, p);
+  auto const bending = sheet_bending(s, Rim::clamped);
+  Eigen::VectorXd const pressure =
+      Eigen::VectorXd::Constant(element_count(s), -linear * H * 64 * D / std::pow(a, 4));
+  std::array const loads{pressure_load(s, pressure), bending_load(bending)};
+  static_solve(s, loads);
+  return s.position[0] / H;
+}
+
+double by_lines(core::Symmetry symmetry, int elements, double linear)
+{
+  bool const ring = symmetry == core::Symmetry::axisymmetric;
+  double const from = ring ? 0 : -a, factor = ring ? 64 : 24;
+  auto m =
+      flat_membrane({symmetry, from, a, (a - from) / elements, [](double) { return H; }, mu, 1100});
+  auto const bending = line_bending(m, Rim::clamped);
+  auto const pressure = uniform_pressure(m, Side::minus, linear * H * factor * D / std::pow(a, 4));
+  std::array const loads{pressure_load(m, pressure), bending_load(bending)};
+  static_solve(m, loads);
+  return m.position[ring ? 0 : elements] / H;
+}
+
+TEST(ClampedPlate, deflects_little_as_plate_theory_has_it)
+{
+  EXPECT_NEAR(by_triangles(16, 1e-3) / 1e-3, 1, 0.01);
+  EXPECT_NEAR(by_lines(core::Symmetry::axisymmetric, 20, 1e-3) / 1e-3, 1, 0.01);
+  EXPECT_NEAR(by_lines(core::Symmetry::planar, 40, 1e-3) / 1e-3, 1, 0.01);
+}
+
+TEST(ClampedPlate, deflects_much_as_published)
+{
+  for (double w : {0.4, 0.8, 1.2}) {
+    double const load = w + 1.5 * (173 - 36.5) / 360 * w * w * w;
+    EXPECT_NEAR(by_triangles(16, load) / w, 1, 0.02) << w;
+    EXPECT_NEAR(by_lines(core::Symmetry::axisymmetric, 40, load) / w, 1, 0.02) << w;
+  }
+}
+
+TEST(ClampedPlate, is_second_order_in_the_size_of_elements)
+{
+  std::vector<double> size, ring, plane, triangles;
+  for (int n : {10, 20, 40}) {
+    size.push_back(1.0 / n);
+    ring.push_back(std::abs(by_lines(core::Symmetry::axisymmetric, n, 1e-3) / 1e-3 - 1));
+    plane.push_back(std::abs(by_lines(core::Symmetry::planar, n, 1e-3) / 1e-3 - 1));
+    triangles.push_back(std::abs(by_triangles(n / 2, 1e-3) / 1e-3 - 1));
+  }
+  EXPECT_NEAR(tests::order(size, ring), 2, 0.15);
+  EXPECT_NEAR(tests::order(size, plane), 2, 0.15);
+  EXPECT_NEAR(tests::order(size, triangles), 2, 0.35);
+}
+
+/// Largest entry of a difference of the load's tangent and its central differences, and of its
+/// force and those of the energy, over the largest entries.
+template <class Bending>
+void expect_derivatives(Bending const& bending, Eigen::VectorXd x, std::vector<char> const& fixed)
+{
+  for (int i = 0; i < x.size(); ++i)
+    if (!fixed[static_cast<std::size_t>(i)]) x[i] += 0.01 * a * std::sin(17.0 * i);
+  auto const load = bending_load(bending);
+  auto const force = [&](Eigen::VectorXd const& at) {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(at.size());
+    load(at, f, nullptr);
+    return f;
+  };
+  Triplets entries;
+  Eigen::VectorXd here = Eigen::VectorXd::Zero(x.size());
+  load(x, here, &entries);
+  Eigen::SparseMatrix<double> K(x.size(), x.size());
+  K.setFromTriplets(entries.begin(), entries.end());
+  double const step = 1e-6 * a, largest = K.coeffs().cwiseAbs().maxCoeff();
+  for (int i = 0; i < x.size(); ++i) {
+    if (fixed[static_cast<std::size_t>(i)]) continue;
+    Eigen::VectorXd ahead = x, behind = x;
+    ahead[i] += step, behind[i] -= step;
+    double const slope =
+        (bending_energy(bending, ahead) - bending_energy(bending, behind)) / (2 * step);
+    EXPECT_NEAR(-here[i], slope, 1e-7 * here.cwiseAbs().maxCoeff()) << i;
+    Eigen::VectorXd const column = (force(ahead) - force(behind)) / (2 * step);
+    for (int j = 0; j < x.size(); ++j) {
+      if (fixed[static_cast<std::size_t>(j)]) continue;
+      EXPECT_NEAR(column[j], K.coeff(j, i), 1e-7 * largest) << i << " " << j;
+    }
+  }
+}
+
+TEST(Bending, has_the_force_and_tangent_of_its_energy)
+{
+  auto const mesh = tube_mesh(a, graded(0, a, 3), 7);
+  Sheet s = make_sheet(mesh, H, neo_hookean_rubber(mu), 1100);
+  for (int k = 0; k < 7; ++k) clamp(s, k);
+  auto const bending = sheet_bending(s, Rim::clamped);
+  EXPECT_NEAR(bending_energy(bending, s.reference), 0, 1e-20);
+  expect_derivatives(bending, s.reference, s.fixed);
+  for (auto symmetry : {core::Symmetry::axisymmetric, core::Symmetry::planar}) {
+    auto const m = flat_membrane({symmetry, 0, a, a / 6, [](double) { return H; }, mu, 1100});
+    expect_derivatives(line_bending(m, Rim::clamped), m.reference, m.fixed);
+  }
+}
+
+}  // namespace
+}  // namespace velum::structure
