@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "structure/internal_force.hpp"
 #include "structure/mass.hpp"
+#include "structure/sheet_force.hpp"
 
 #include <cmath>
 
@@ -10,13 +11,13 @@ namespace velum::structure {
 namespace {
 
 /// Zero matrix that has an entry for every pair of components of one node.
-Eigen::SparseMatrix<double> uncoupled_nodes(int nodes)
+Eigen::SparseMatrix<double> uncoupled_nodes(int nodes, int d)
 {
   Triplets entries;
   for (int a = 0; a < nodes; ++a)
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) entries.emplace_back(2 * a + i, 2 * a + j, 0);
-  Eigen::SparseMatrix<double> matrix(2 * nodes, 2 * nodes);
+    for (int i = 0; i < d; ++i)
+      for (int j = 0; j < d; ++j) entries.emplace_back(d * a + i, d * a + j, 0);
+  Eigen::SparseMatrix<double> matrix(d * nodes, d * nodes);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -29,23 +30,26 @@ int place_of(Eigen::SparseMatrix<double> const& matrix, int row, int column)
 }
 
 /// A = M + h (alpha M + beta K0 + Z), all rows and columns.
-void fill(ExplicitStepper& s, std::span<Eigen::Matrix2d const> Z, double h)
+template <int d>
+void fill(ExplicitStepper& s, std::span<Eigen::Matrix<double, d, d> const> Z, double h)
 {
   Eigen::Map<Eigen::ArrayXd>(s.A.valuePtr(), s.A.nonZeros()) =
       h * s.damping.beta * Eigen::Map<Eigen::ArrayXd>(s.K0.valuePtr(), s.K0.nonZeros());
   double* const value = s.A.valuePtr();
   for (int a = 0; a < s.mass.size(); ++a) {
     double const m = s.mass[a] * (1 + h * s.damping.alpha);
-    value[s.diagonal[a][0]] += m;
-    value[s.diagonal[a][3]] += m;
+    int const* const place = &s.diagonal[static_cast<std::size_t>(d * d * a)];
+    for (int i = 0; i < d; ++i) value[place[(d + 1) * i]] += m;
     if (Z.empty()) continue;
-    for (int i = 0; i < 4; ++i) value[s.diagonal[a][i]] += h * Z[a](i % 2, i / 2);
+    for (int i = 0; i < d * d; ++i)
+      value[place[i]] += h * Z[static_cast<std::size_t>(a)](i % d, i / d);
   }
 }
 
 /// Moves what prescribed velocities contribute to the right-hand side, then replaces their rows and
 /// columns by the identity.
-void restrain(ExplicitStepper& s, Membrane const& m)
+template <class Body>
+void restrain(ExplicitStepper& s, Body const& m)
 {
   s.prescribed.setZero();
   for (int column = 0; column < s.A.cols(); ++column)
@@ -59,36 +63,41 @@ void restrain(ExplicitStepper& s, Membrane const& m)
 
 }  // namespace
 
-ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping)
+template <class Body>
+ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping)
 {
   return explicit_stepper(m, damping, m.reference);
 }
 
-ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping,
+template <class Body>
+ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
                                  Eigen::VectorXd const& state)
 {
+  constexpr int d = Body::dimension;
   int const nodes = node_count(m);
   ExplicitStepper s;
   s.damping = damping;
   s.mass = lumped_mass(m);
-  s.K0 = damping.beta > 0 ? damping_stiffness(m, state) : uncoupled_nodes(nodes);
+  s.K0 = damping.beta > 0 ? damping_stiffness(m, state) : uncoupled_nodes(nodes, d);
   s.K0.makeCompressed();
   s.A = s.K0;
-  s.diagonal.resize(nodes);
   for (int a = 0; a < nodes; ++a)
-    for (int i = 0; i < 4; ++i) s.diagonal[a][i] = place_of(s.A, 2 * a + i % 2, 2 * a + i / 2);
+    for (int i = 0; i < d * d; ++i)
+      s.diagonal.push_back(place_of(s.A, d * a + i % d, d * a + i / d));
   s.solver = std::make_unique<ExplicitStepper::Solver>();
   s.solver->analyzePattern(s.A);
-  s.force = s.rhs = s.prescribed = s.mean = Eigen::VectorXd::Zero(2 * nodes);
+  s.force = s.rhs = s.prescribed = s.mean = Eigen::VectorXd::Zero(d * nodes);
   return s;
 }
 
-Eigen::VectorXd const& advance(ExplicitStepper& s, Membrane& m, Eigen::VectorXd const& F0,
-                               std::span<Eigen::Matrix2d const> Z, double dt, int substeps,
+template <class Body>
+Eigen::VectorXd const& advance(ExplicitStepper& s, Body& m, Eigen::VectorXd const& F0,
+                               std::span<NodeBlock<Body> const> Z, double dt, int substeps,
                                std::span<Load const> loads)
 {
+  constexpr int d = Body::dimension;
   double const h = dt / substeps;
-  fill(s, Z, h);
+  fill<d>(s, Z, h);
   restrain(s, m);
   s.solver->factorize(s.A);
   s.mean.setZero();
@@ -99,19 +108,30 @@ Eigen::VectorXd const& advance(ExplicitStepper& s, Membrane& m, Eigen::VectorXd 
     add_elastic_force(m, m.position, s.force);
     for (int i = 0; i < s.rhs.size(); ++i)
       s.rhs[i] = m.fixed[i] ? m.velocity[i]
-                            : s.mass[i / 2] * m.velocity[i] + h * s.force[i] + s.prescribed[i];
+                            : s.mass[i / d] * m.velocity[i] + h * s.force[i] + s.prescribed[i];
     m.velocity = s.solver->solve(s.rhs);
     m.position += h * m.velocity;
     s.mean += m.velocity;
   }
   s.mean /= substeps;
   for (int a = 0; a < node_count(m); ++a)
-    if (!std::isfinite(s.mean[2 * a]) || !std::isfinite(s.mean[2 * a + 1]))
+    if (!s.mean.segment<d>(d * a).allFinite())
       throw core::Divergence("the membrane's motion is no longer finite, first at node " +
                              std::to_string(a) +
                              ": the sub-step may be longer than the stable step, or the force of "
                              "the fluid is not finite");
   return s.mean;
 }
+
+template ExplicitStepper explicit_stepper(Membrane const&, Rayleigh const&);
+template ExplicitStepper explicit_stepper(Sheet const&, Rayleigh const&);
+template ExplicitStepper explicit_stepper(Membrane const&, Rayleigh const&, Eigen::VectorXd const&);
+template ExplicitStepper explicit_stepper(Sheet const&, Rayleigh const&, Eigen::VectorXd const&);
+template Eigen::VectorXd const& advance(ExplicitStepper&, Membrane&, Eigen::VectorXd const&,
+                                        std::span<Eigen::Matrix2d const>, double, int,
+                                        std::span<Load const>);
+template Eigen::VectorXd const& advance(ExplicitStepper&, Sheet&, Eigen::VectorXd const&,
+                                        std::span<Eigen::Matrix3d const>, double, int,
+                                        std::span<Load const>);
 
 }  // namespace velum::structure

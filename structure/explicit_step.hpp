@@ -2,10 +2,10 @@
 #include "structure/damping.hpp"
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
+#include "structure/sheet.hpp"
 
 #include <Eigen/SparseCholesky>
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -17,21 +17,27 @@ struct ExplicitStepper {
   using Solver =
       Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
   Rayleigh damping;
-  Eigen::VectorXd mass;                          ///< lumped                        [N]
-  Eigen::SparseMatrix<double> K0;                ///< of the reference state        [2N][2N]
-  Eigen::SparseMatrix<double> A;                 ///< implicit matrix, pattern of K0
-  std::vector<std::array<int, 4>> diagonal;      ///< entries of A of each node's own 2 x 2 block
-  std::unique_ptr<Solver> solver;                ///< pattern analysed once
-  Eigen::VectorXd force, rhs, prescribed, mean;  ///< working memory                [2N]
+  Eigen::VectorXd mass;            ///< lumped                        [N]
+  Eigen::SparseMatrix<double> K0;  ///< of the reference state
+  Eigen::SparseMatrix<double> A;   ///< implicit matrix, pattern of K0
+  std::vector<int> diagonal;       ///< entries of A of each node's own block, column by column
+  std::unique_ptr<Solver> solver;  ///< pattern analysed once
+  Eigen::VectorXd force, rhs, prescribed, mean;  ///< working memory
 };
 
-/// Stepper of a membrane with the stiffness of its reference state in the damping; with beta = 0
-/// the matrix couples no two nodes.
-ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping);
+/// What each node's wall block is: 2 x 2 of a Membrane, 3 x 3 of a Sheet.
+template <class Body>
+using NodeBlock = Eigen::Matrix<double, Body::dimension, Body::dimension>;
+
+/// Stepper of a body (a Membrane or a Sheet) with the stiffness of its reference state in the
+/// damping; with beta = 0 the matrix couples no two nodes.
+template <class Body>
+ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping);
 
 /// The same with the stiffness of a given state: without bending the flat state has no stiffness
 /// across, and beta would damp stretching alone.   state: [2N]
-ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping,
+template <class Body>
+ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
                                  Eigen::VectorXd const& state);
 
 /// Advances position and velocity by dt in equal sub-steps of length h, symplectic Euler with the
@@ -41,12 +47,13 @@ ExplicitStepper explicit_stepper(Membrane const& m, Rayleigh const& damping,
 /// Returns the mean of v' over the sub-steps, vbar: the impulse of the force F0 - Z v on a free
 /// node is dt (F0 - Z vbar) exactly. Prescribed components keep their velocity. Stable for
 /// h < stable_step().
-/// @param F0  force at zero wall velocity                               [2N]
+/// @param F0  force at zero wall velocity
 /// @param Z   symmetric positive semi-definite block per node, or empty [N]
 /// @return    valid until the next call                                 [2N]
 /// Throws core::Divergence where the motion is no longer finite.
-Eigen::VectorXd const& advance(ExplicitStepper& stepper, Membrane& m, Eigen::VectorXd const& F0,
-                               std::span<Eigen::Matrix2d const> Z, double dt, int substeps,
+template <class Body>
+Eigen::VectorXd const& advance(ExplicitStepper& stepper, Body& m, Eigen::VectorXd const& F0,
+                               std::span<NodeBlock<Body> const> Z, double dt, int substeps,
                                std::span<Load const> loads);
 
 }  // namespace velum::structure

@@ -149,7 +149,7 @@ Outcome try_step(ImplicitStepper const& s, Body const& m, State const& old, Stat
 
     Eigen::Index worst = 0;
     double const now = residual.cwiseAbs().maxCoeff(&worst);
-    outcome.worst_node = static_cast<int>(worst) / dimension(m);
+    outcome.worst_node = static_cast<int>(worst) / Body::dimension;
     outcome.residual = scale > 0 ? now / scale : 0;
     outcome.converged = std::isfinite(now) && now <= tolerance * scale + floor;
     bool const hopeless = !std::isfinite(now) || (iteration > 3 && now > 2 * previous);
@@ -175,7 +175,7 @@ ImplicitStepper implicit_stepper(Body const& m, Rayleigh const& damping, double 
                 "the spectral radius at infinite frequency must lie between 0 and 1");
   return {damping,
           rho_inf,
-          per_component(lumped_mass(m), dimension(m)),
+          per_component(lumped_mass(m), Body::dimension),
           damping_stiffness(m, m.reference),
           {}};
 }

@@ -14,6 +14,7 @@ namespace velum::structure {
 /// Nodes are numbered from the axis outwards; each carries x (axial) and y (radial), interleaved.
 /// The plus side is right_of(tangent): the +x side of a flat disc. Any consistent set of units.
 struct Membrane {
+  static constexpr int dimension = 2;  ///< components per node
   core::Symmetry symmetry;
   Eigen::VectorXd reference;  ///< undeformed node positions      [2N]
   Eigen::VectorXd position;   ///< current node positions         [2N]
@@ -40,7 +41,6 @@ struct FlatShape {
 /// axisymmetric membrane only keeps y = 0. Throws InputError where a size is not positive.
 Membrane flat_membrane(FlatShape const& shape);
 
-constexpr int dimension(Membrane const&) { return 2; }
 inline int node_count(Membrane const& m) { return static_cast<int>(m.reference.size()) / 2; }
 inline int element_count(Membrane const& m) { return node_count(m) - 1; }
 

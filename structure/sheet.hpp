@@ -20,6 +20,7 @@ struct TriangleMesh {
 
 /// State of a rubber sheet in space: flat triangles of constant strain.
 struct Sheet {
+  static constexpr int dimension = 3;  ///< components per node
   std::vector<Triangle> triangles;
   Eigen::VectorXd reference;  ///< undeformed node positions        [3N]
   Eigen::VectorXd position;   ///< current node positions           [3N]
@@ -36,7 +37,6 @@ struct Sheet {
 Sheet make_sheet(TriangleMesh const& mesh, double thickness, MooneyRivlin const& material,
                  double density);
 
-constexpr int dimension(Sheet const&) { return 3; }
 inline int node_count(Sheet const& s) { return static_cast<int>(s.reference.size()) / 3; }
 inline int element_count(Sheet const& s) { return static_cast<int>(s.triangles.size()); }
 

@@ -1,6 +1,7 @@
 #include "structure/stable_step.hpp"
 
 #include "structure/line_element.hpp"
+#include "structure/sheet_force.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,28 @@ double stable_step(Membrane const& m, Eigen::VectorXd const& mass, Eigen::Vector
       omega2 = std::max(omega2, scale(row) * (sum + contact * scale(row)));
     }
     before = after;
+  }
+  return omega2 > 0 ? 2 / std::sqrt(omega2) : std::numeric_limits<double>::infinity();
+}
+
+double stable_step(Sheet const& s, Eigen::VectorXd const& mass, Eigen::VectorXd const& x,
+                   std::span<Load const> loads)
+{
+  Triplets entries;
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(x.size());
+  for (auto const& load : loads) load(x, unused, &entries);
+  for (auto& t : entries) t = {t.row(), t.col(), -t.value()};
+  add_stiffness(s, x, entries);
+  Eigen::SparseMatrix<double> K(x.size(), x.size());
+  K.setFromTriplets(entries.begin(), entries.end());
+  double omega2 = 0;
+  for (int column = 0; column < K.cols(); ++column) {
+    if (s.fixed[static_cast<std::size_t>(column)]) continue;
+    double sum = 0;
+    for (Eigen::SparseMatrix<double>::InnerIterator it(K, column); it; ++it)
+      if (!s.fixed[static_cast<std::size_t>(it.row())])
+        sum += std::abs(it.value()) / std::sqrt(mass[it.row() / 3] * mass[column / 3]);
+    omega2 = std::max(omega2, sum);
   }
   return omega2 > 0 ? 2 / std::sqrt(omega2) : std::numeric_limits<double>::infinity();
 }

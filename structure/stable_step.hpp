@@ -1,7 +1,11 @@
 #pragma once
+#include "structure/load.hpp"
 #include "structure/membrane.hpp"
+#include "structure/sheet.hpp"
 
 #include <Eigen/Core>
+
+#include <span>
 
 namespace velum::structure {
 
@@ -12,6 +16,11 @@ namespace velum::structure {
 /// @param contact_stiffness  force per length, per node; empty: none   [N]
 double stable_step(Membrane const& m, Eigen::VectorXd const& mass, Eigen::VectorXd const& x,
                    Eigen::VectorXd const& contact_stiffness = {});
+
+/// The same for a sheet and what else acts on it with a tangent (bending, contact), on the
+/// assembled matrix.
+double stable_step(Sheet const& s, Eigen::VectorXd const& mass, Eigen::VectorXd const& x,
+                   std::span<Load const> loads = {});
 
 /// Sub-steps of equal length that fit dt into the stable step with a margin.
 int substeps_for(double dt, double stable, double margin = 0.8);

@@ -167,7 +167,7 @@ template <class Body>
       fmt::format("no stable static equilibrium beyond {:.4f} of the load (tried {:.4f}); largest "
                   "residual {:.1e} of the nodal force at node {} of {}; {}",
                   carried, tried, r.last.residual.cwiseAbs().maxCoeff() / r.last.scale,
-                  worst / dimension(m), node_count(m), cause));
+                  worst / Body::dimension, node_count(m), cause));
 }
 
 }  // namespace
@@ -177,7 +177,8 @@ StaticReport static_solve(Body& m, std::span<Load const> loads, StaticOptions co
 {
   Eigen::VectorXd const nodal = lumped_mass(m);
   Triplets entries;
-  for (int i = 0; i < m.position.size(); ++i) entries.emplace_back(i, i, nodal[i / dimension(m)]);
+  for (int i = 0; i < m.position.size(); ++i)
+    entries.emplace_back(i, i, nodal[i / Body::dimension]);
   Matrix mass(m.position.size(), m.position.size());
   mass.setFromTriplets(entries.begin(), entries.end());
   double const reach = 0.05 * extent(m);
