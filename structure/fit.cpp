@@ -112,7 +112,8 @@ Fit fit(FitModel model, std::vector<MaterialTest> const& tests, FitWeight weight
   f.points = n;
   f.quantile = student_quantile(n - p, confidence);
   f.rms = std::sqrt((r.stress - r.terms * f.coefficients).squaredNorm() / freedom);
-  f.relative_rms = f.rms / std::sqrt(r.stress.squaredNorm() / n);
+  f.relative_rms = weight == FitWeight::alike ? f.rms / std::sqrt(r.stress.squaredNorm() / n)
+                                              : std::sqrt(residual.squaredNorm() / freedom);
   f.condition = condition;
   f.autocorrelation = neighbours(residual, r.first);
   return f;

@@ -27,7 +27,8 @@ struct Fit {
   int points;                    ///< away from rest
   double quantile;               ///< standard errors in half of a 95 % interval
   double rms;                    ///< of the residuals, sqrt(sum r^2 / (points - p))
-  double relative_rms;           ///< the same over the rms of the stresses
+  double relative_rms;           ///< the same over the rms of the stresses, or, with relative
+                                 ///< weights, of the residuals each over its own stress
   double condition;              ///< of the columns, each scaled to 1
   double autocorrelation;        ///< of neighbouring residuals: near 0 for noise, near 1 for misfit
 };

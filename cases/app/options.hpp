@@ -22,7 +22,7 @@ struct Options {
   std::string unit, dx, cut;  // its unit, the cells it is looked at with, "x=0.5 mm" or empty
   std::vector<std::filesystem::path> data;  // files of test data,
   std::string model;                        // the law to fit, empty for all,
-  double from = 0, to = 1e3;                // between these stretches,
+  double from = 0, to = 20;                 // between these stretches,
   bool relative = false;                    // weighing each point by its own stress
   int threads = 0;                          // 0: all
   bool json = false;                        // of bench

@@ -146,7 +146,7 @@ TEST_F(FitCommand, RefusesWhatTheDataDoNotSay)
           "mooney_rivlin_5: 4 points away from rest are too few for 5 parameters; it takes at "
           "least 6.");
   refused(uniaxial() + " --model mooney_rivlin", "--model: mooney_rivlin is not a law");
-  refused(uniaxial() + " --from 3", "u.csv: has no point between the stretches 3 and 1000.");
+  refused(uniaxial() + " --from 3", "u.csv: has no point between the stretches 3 and 20.");
   refused(uniaxial() + " --from 2 --to 1", "--from 2 is not below --to 1.");
   refused("no_such.csv", "no_such.csv: there is no such file of test data.");
 }
