@@ -1,6 +1,7 @@
 #include "cases/app/commands.hpp"
 #include "cases/app/fit_study.hpp"
 #include "cases/app/fit_text.hpp"
+#include "cases/app/fit_warnings.hpp"
 #include "cases/app/picture.hpp"
 #include "cases/app/scene_words.hpp"
 #include "core/check.hpp"
@@ -59,7 +60,7 @@ void fit_command(Options const& options)
     fmt::print("\n{}\n", (out / "fit.csv").string());
     std::fflush(stdout);
   }
-  for (auto const& sentence : study.warnings) fmt::print(stderr, "warning: {}\n", sentence);
+  for (auto const& sentence : warnings(study)) fmt::print(stderr, "warning: {}\n", sentence);
   draw("fit.py", out);
 }
 

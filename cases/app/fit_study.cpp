@@ -2,7 +2,6 @@
 
 #include "cases/app/scene_words.hpp"
 #include "core/check.hpp"
-#include "structure/stress_kind.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +13,6 @@ namespace {
 
 using structure::Fit;
 using structure::MaterialTest;
-using structure::StressKind;
 using structure::StretchRange;
 using structure::TestMode;
 
@@ -86,42 +84,6 @@ FittedLaw fit_law(structure::FitModel model, std::vector<MaterialTest> const& te
   return law;
 }
 
-/// Residuals of a test as either kind of stress, where the other one fits far better.
-void warn_of_kind(TestFile const& file, std::vector<std::string>& warnings)
-{
-  if (file.kind == "bulge" || !structure::looks_like_the_other_kind(file.test)) return;
-  auto const misfit = *structure::misfit_by_kind(file.test);
-  bool const as_true = file.test.kind == StressKind::true_;
-  double const said = as_true ? misfit.true_ : misfit.engineering;
-  double const other = as_true ? misfit.engineering : misfit.true_;
-  warnings.push_back(fmt::format(
-      "{}: its stresses look like {} stresses: taken so, rubber misses them by {:.2g} %, taken as "
-      "{} ones by {:.2g} %. If they are, name the column \"{}\".",
-      file.path.string(), as_true ? "engineering" : "true (Cauchy)", 100 * other,
-      as_true ? "true" : "engineering", 100 * said,
-      as_true ? "engineering_stress" : "true_stress"));
-}
-
-void warn_of_law(FittedLaw const& law, StretchRanges const& fitted,
-                 std::vector<std::string>& warnings)
-{
-  std::string ends;
-  for (auto const& [mode, stretch] : failures(law, fitted))
-    ends += fmt::format("{}in {} tension {} stretch {:.4g}", ends.empty() ? "" : ", ", word(mode),
-                        stretch >= 1 ? "from" : "below", stretch);
-  if (!ends.empty())
-    warnings.push_back(
-        fmt::format("{} is unstable by Drucker {}, within what was fitted: do not "
-                    "use it there.",
-                    word(law.fit.model), ends));
-  if (parameters(law.fit.model) > 1 && fitted.size() == 1)
-    warnings.push_back(fmt::format(
-        "{} rests on {} alone: under other loads it may be off by far more than its intervals say, "
-        "which take the law for right; a membrane is stretched both ways, so add an equibiaxial "
-        "test or a bulge.",
-        word(law.fit.model), tests_in_words(fitted)));
-}
-
 }  // namespace
 
 StretchRange claimed_range(StretchRanges const& fitted, TestMode mode)
@@ -153,17 +115,15 @@ std::map<TestMode, double> failures(FittedLaw const& law, StretchRanges const& f
 FitStudy fit_laws(std::vector<TestFile> files, std::vector<structure::FitModel> const& models,
                   StretchRange const& between, structure::FitWeight weight)
 {
-  FitStudy study{std::move(files), {}, {}, {}, {}};
+  FitStudy study{std::move(files), {}, {}, {}};
   std::vector<MaterialTest> tests;
   for (auto& file : study.files) {
     restrict_to(file, between);
-    warn_of_kind(file, study.warnings);
     tests.push_back(file.test);
   }
   study.fitted = ranges(study.files);
   for (auto const model : models) try {
       study.laws.push_back(fit_law(model, tests, study.fitted, weight));
-      warn_of_law(study.laws.back(), study.fitted, study.warnings);
     } catch (core::InputError const& error) {
       study.refused.push_back(fmt::format("{}: {}", word(model), error.what()));
     }

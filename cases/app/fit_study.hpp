@@ -23,7 +23,6 @@ struct FitStudy {
   StretchRanges fitted;              // of the tests, by kind
   std::vector<FittedLaw> laws;       // that can be had
   std::vector<std::string> refused;  // a sentence for each that cannot
-  std::vector<std::string> warnings;
 };
 
 /// Fits the laws to all tests at once, with their points between two stretches.

@@ -23,6 +23,7 @@ std::map<std::string, std::string> read_remarks(std::filesystem::path const& pat
   std::ifstream file(path);
   std::map<std::string, std::string> remarks;
   for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // byte order mark
     auto const start = line.find('#');
     auto const equals = line.find('=');
     if (start == std::string::npos || trimmed(line.substr(0, start)) != "" ||
@@ -41,12 +42,33 @@ TestColumn take_apart(std::string const& head)
   return {head, trimmed(head.substr(0, open)), trimmed(head.substr(open + 1, close - open - 1))};
 }
 
-}  // namespace
-
+/// "file:line" of the header.
 std::string header_place(TestColumns const& data)
 {
   return fmt::format("{}:{}", data.table.path.string(), data.table.header_line);
 }
+
+/// The column of that name, or nullptr.
+TestColumn const* find_column(TestColumns const& data, std::string const& name)
+{
+  TestColumn const* found = nullptr;
+  for (auto const& column : data.columns) {
+    if (column.name != name) continue;
+    core::require(!found, fmt::format("{}: has two columns \"{}\".", header_place(data), name));
+    found = &column;
+  }
+  return found;
+}
+
+/// "; did you mean "x"?" with the first column that is nearly one of these, or ".".
+std::string similar_column(TestColumns const& data, std::vector<std::string> const& names)
+{
+  for (auto const& column : data.columns)
+    if (auto hint = did_you_mean(column.name, names); !hint.empty()) return hint;
+  return ".";
+}
+
+}  // namespace
 
 TestColumns read_test_columns(std::filesystem::path const& path)
 {
@@ -62,15 +84,21 @@ TestColumns read_test_columns(std::filesystem::path const& path)
   return data;
 }
 
-TestColumn const* find_column(TestColumns const& data, std::string const& name)
+TestColumn const& one_of(TestColumns const& data, std::vector<std::string> const& names,
+                         std::string const& what)
 {
   TestColumn const* found = nullptr;
-  for (auto const& column : data.columns) {
-    if (column.name != name) continue;
-    core::require(!found, fmt::format("{}: has two columns \"{}\".", header_place(data), name));
-    found = &column;
-  }
-  return found;
+  for (auto const& each : names)
+    if (auto const* column = find_column(data, each)) {
+      core::require(!found,
+                    fmt::format("{}: has both a column \"{}\" and a column \"{}\"; which "
+                                "one is meant?",
+                                header_place(data), found ? found->head : "", column->head));
+      found = column;
+    }
+  core::require(found != nullptr, fmt::format("{}: has no column of {}{}", header_place(data), what,
+                                              similar_column(data, names)));
+  return *found;
 }
 
 std::vector<double> values(TestColumns const& data, TestColumn const& column,
@@ -98,13 +126,6 @@ std::vector<double> values(TestColumns const& data, TestColumn const& column,
     all.push_back(factor * *value);
   }
   return all;
-}
-
-std::string similar_column(TestColumns const& data, std::vector<std::string> const& names)
-{
-  for (auto const& column : data.columns)
-    if (auto hint = did_you_mean(column.name, names); !hint.empty()) return hint;
-  return "";
 }
 
 }  // namespace velum::cases

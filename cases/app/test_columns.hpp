@@ -23,22 +23,16 @@ struct TestColumns {
 /// @throws core::InputError  no such file, no rows, rows of different lengths, no commas
 TestColumns read_test_columns(std::filesystem::path const& path);
 
-/// The column of that name, or nullptr.
-/// @throws core::InputError  there are two
-TestColumn const* find_column(TestColumns const& data, std::string const& name);
+/// The one column that has one of these names.
+/// @param what  it should hold, for the sentence of a file that has none
+/// @throws core::InputError  there is none, with the name of a similar one, or there are several
+TestColumn const& one_of(TestColumns const& data, std::vector<std::string> const& names,
+                         std::string const& what);
 
 /// Values of a column in SI. A dimensionless column without unit takes `otherwise`, if that is not
 /// empty.
-/// @throws core::InputError  an empty cell, no number, a unit that is missing, unknown or of
-/// another
-///     dimension
+/// @throws core::InputError  an empty cell, no number, a unit missing, unknown or of another kind
 std::vector<double> values(TestColumns const& data, TestColumn const& column,
                            core::Dimension dimension, std::string const& otherwise = "");
-
-/// "file:line" of the header.
-std::string header_place(TestColumns const& data);
-
-/// "; did you mean "x"?" with the first column that is nearly one of these; empty where none is.
-std::string similar_column(TestColumns const& data, std::vector<std::string> const& names);
 
 }  // namespace velum::cases

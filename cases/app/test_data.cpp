@@ -2,13 +2,13 @@
 
 #include "cases/app/scene_text.hpp"
 #include "cases/app/test_columns.hpp"
+#include "cases/app/test_stretch.hpp"
 #include "core/check.hpp"
 #include "core/spelling.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace velum::cases {
 namespace {
@@ -17,19 +17,10 @@ using core::Dimension;
 using structure::StressKind;
 using structure::TestMode;
 
-constexpr double largest_stretch = 20;  // no rubber goes farther; percent taken for a number does
-constexpr double least_spread = 0.01;   // of the stretch
-
 std::vector<std::string> const kinds{"uniaxial", "equibiaxial", "planar", "bulge"};
 std::vector<std::string> const stresses{"engineering_stress", "true_stress", "stress"};
-std::vector<std::string> const deformations{"stretch", "strain"};
 
 std::string name(TestColumns const& data) { return data.table.path.string(); }
-
-std::string at(TestColumns const& data, std::size_t row)
-{
-  return fmt::format("{}:{}", name(data), data.table.lines[row]);
-}
 
 std::string read_kind(TestColumns const& data)
 {
@@ -48,59 +39,6 @@ std::string read_kind(TestColumns const& data)
           did_you_mean(found->second, kinds).empty() ? "." : did_you_mean(found->second, kinds),
           core::any_of(kinds)));
   return found->second;
-}
-
-/// The one column among several names.
-TestColumn const& one_of(TestColumns const& data, std::vector<std::string> const& names,
-                         std::string const& what)
-{
-  TestColumn const* found = nullptr;
-  for (auto const& each : names)
-    if (auto const* column = find_column(data, each)) {
-      core::require(!found,
-                    fmt::format("{}: has both a column \"{}\" and a column \"{}\"; which "
-                                "one is meant?",
-                                header_place(data), found ? found->head : "", column->head));
-      found = column;
-    }
-  core::require(
-      found != nullptr,
-      fmt::format("{}: has no column of {}{}", header_place(data), what,
-                  similar_column(data, names).empty() ? "." : similar_column(data, names)));
-  return *found;
-}
-
-std::vector<double> read_stretch(TestColumns const& data)
-{
-  auto const& column = one_of(data, deformations, "deformation: \"stretch\" or \"strain [%]\"");
-  bool const strain = column.name == "strain";
-  auto stretch = values(data, column, Dimension::dimensionless, strain ? "" : "1");
-  if (strain)
-    for (double& l : stretch) l += 1;
-  for (std::size_t row = 0; row < stretch.size(); ++row) {
-    core::require(stretch[row] > 0,
-                  fmt::format("{}: a stretch of {:.4g} in column \"{}\" is none: it is positive, "
-                              "and 1 at rest{}.",
-                              at(data, row), stretch[row], column.head,
-                              strain ? "" : "; a strain goes in a column \"strain [%]\""));
-    core::require(stretch[row] <= largest_stretch,
-                  fmt::format("{}: a stretch of {:.4g} in column \"{}\" is beyond any rubber; if "
-                              "it is in percent, write \"{} [%]\".",
-                              at(data, row), stretch[row], column.head, column.name));
-  }
-  auto const [least, most] = std::minmax_element(stretch.begin(), stretch.end());
-  core::require(*most - *least >= least_spread,
-                fmt::format("{}: the stretch goes from {:.4g} to {:.4g} only; a law takes a spread "
-                            "of at least {:.2g}.",
-                            name(data), *least, *most, least_spread));
-  // the way out alone: on the way back rubber is softer
-  double const way = *most - 1 >= 1 - *least ? 1 : -1;
-  for (std::size_t row = 1; row < stretch.size(); ++row)
-    core::require(way * (stretch[row] - stretch[row - 1]) >= 0,
-                  fmt::format("{}: the stretch turns back, from {:.4g} to {:.4g}; give the loading "
-                              "branch alone, sorted.",
-                              at(data, row), stretch[row - 1], stretch[row]));
-  return stretch;
 }
 
 double read_thickness(TestColumns const& data)

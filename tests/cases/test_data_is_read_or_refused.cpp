@@ -85,7 +85,8 @@ TEST(BadTestData, MustHaveItsColumnsWithUnits)
             "data.csv:3: column \"strain\" has no unit; write \"strain [1] or [%]\".");
   EXPECT_EQ(refused("[MPa]", "[mm]"),
             "data.csv:3: column \"engineering_stress [mm]\": \"1 mm\" is a length, and a pressure "
-            "is expected: write it in kPa, Pa or MPa, for example \"1 kPa\".");
+            "is expected: write it in kPa, Pa, MPa, bar, mbar, hPa, mmHg or psi, for "
+            "example \"1 kPa\".");
   EXPECT_EQ(refused("time [s]", "true_stress [MPa]"),
             "data.csv:3: has both a column \"engineering_stress [MPa]\" and a column \"true_stress "
             "[MPa]\"; which one is meant?");
