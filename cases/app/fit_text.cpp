@@ -59,10 +59,9 @@ std::string stability_in_words(FittedLaw const& law)
     if (!ends.empty())
       limits += fmt::format("{}{} {}", limits.empty() ? "" : ", ", word(mode), ends);
   }
-  if (limits.empty())
-    return fmt::format("in all three tests from stretch {:g} to {:g}", searched_stretches.from,
-                       searched_stretches.to);
-  return limits;
+  std::string const searched =
+      fmt::format("from stretch {:g} to {:g}", searched_stretches.from, searched_stretches.to);
+  return limits.empty() ? "in all three tests " + searched : limits + "; otherwise " + searched;
 }
 
 std::string range_table(std::string const& name, StretchRanges const& ranges)

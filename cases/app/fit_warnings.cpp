@@ -40,9 +40,11 @@ void warn_of_law(FittedLaw const& law, StretchRanges const& fitted, std::vector<
   if (parameters(law.fit.model) > 1 && fitted.size() == 1)
     all.push_back(fmt::format(
         "{} rests on {} alone: under other loads it may be off by far more than its intervals say, "
-        "which take the law for right; a membrane is stretched both ways, so add an equibiaxial "
-        "test or a bulge.",
-        word(law.fit.model), tests_in_words(fitted)));
+        "which take the law for right; {}.",
+        word(law.fit.model), tests_in_words(fitted),
+        fitted.contains(structure::TestMode::equibiaxial)
+            ? "add a uniaxial test"
+            : "a membrane is stretched both ways, so add an equibiaxial test or a bulge"));
 }
 
 }  // namespace
