@@ -58,8 +58,8 @@ HydrostaticReport hydrostatic_equilibrium(structure::Membrane& membrane,
     double const change = augment ? contact::update_multipliers(seat->contact, seat->markers) : 0;
     // only now the offsets: patch and multipliers belong to those the solve was made with
     follow_thickness(*seat, membrane);
-    bool const still =
-        moved < 1e-9 * membrane.reference.maxCoeff() && change < 1e-6 * membrane.shear_modulus;
+    bool const still = moved < 1e-9 * membrane.reference.maxCoeff() &&
+                       change < 1e-6 * shear_modulus(membrane.material);
     if (report.updates > 0 && still) break;
   }
   return report;

@@ -12,7 +12,7 @@ double elastic_energy(Membrane const& m, Eigen::VectorXd const& x)
   double energy = 0;
   for (int e = 0; e < element_count(m); ++e) {
     auto const k = line_element(m, x, e);
-    energy += k.A * neo_hookean(m.shear_modulus * m.thickness[e], k.l1, k.l2).W;
+    energy += k.A * membrane_energy(m.material, m.thickness[e], k.l1, k.l2).W;
   }
   return energy;
 }
@@ -36,7 +36,10 @@ double rounding_force(Membrane const& m, Eigen::VectorXd const& x)
   double stiffest = 0;
   for (int e = 0; e < element_count(m); ++e) {
     auto const k = line_element(m, x, e);
-    stiffest = std::max(stiffest, 4 * m.shear_modulus * m.thickness[e] * k.A / (k.L * k.L));
+    double const H = m.thickness[e];
+    auto const w = membrane_energy(m.material, H, k.l1, k.l2);
+    double const modulus = std::max({4 * shear_modulus(m.material) * H, w.K11, w.K22});
+    stiffest = std::max(stiffest, modulus * k.A / (k.L * k.L));
   }
   return 4 * std::numeric_limits<double>::epsilon() * stiffest * x.cwiseAbs().maxCoeff();
 }

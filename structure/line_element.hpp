@@ -1,6 +1,6 @@
 #pragma once
 #include "structure/membrane.hpp"
-#include "structure/neo_hookean.hpp"
+#include "structure/membrane_energy.hpp"
 
 #include <Eigen/Core>
 
@@ -45,7 +45,7 @@ inline double current_thickness(Membrane const& m, LineElement const& k, int e)
 inline Eigen::Vector4d element_force(Membrane const& m, Eigen::VectorXd const& x, int e)
 {
   auto const k = line_element(m, x, e);
-  auto const w = neo_hookean(m.shear_modulus * m.thickness[e], k.l1, k.l2);
+  auto const w = membrane_energy(m.material, m.thickness[e], k.l1, k.l2);
   double const along = k.A * w.T1 / k.L;
   double const hoop = m.symmetry == core::Symmetry::axisymmetric ? k.A * w.T2 / (2 * k.Y) : 0;
   return {-along * k.tx, -along * k.ty + hoop, along * k.tx, along * k.ty + hoop};
@@ -56,7 +56,7 @@ inline Eigen::Vector4d element_force(Membrane const& m, Eigen::VectorXd const& x
 inline Eigen::Matrix4d element_tangent(Membrane const& m, Eigen::VectorXd const& x, int e)
 {
   auto const k = line_element(m, x, e);
-  auto const w = neo_hookean(m.shear_modulus * m.thickness[e], k.l1, k.l2);
+  auto const w = membrane_energy(m.material, m.thickness[e], k.l1, k.l2);
   double const hoop = m.symmetry == core::Symmetry::axisymmetric ? 1 / (2 * k.Y) : 0;
   Eigen::Vector4d const d1 = Eigen::Vector4d(-k.tx, -k.ty, k.tx, k.ty) / k.L;
   Eigen::Vector4d const d2(0, hoop, 0, hoop);

@@ -14,7 +14,7 @@ Membrane flat_membrane(FlatShape const& shape)
   require(shape.symmetry == core::Symmetry::planar || shape.from >= 0,
           "an axisymmetric membrane cannot start at a negative radius");
   require(shape.element_size > 0, "the element size of a membrane must be positive");
-  require(shape.shear_modulus > 0, "the shear modulus of a membrane must be positive");
+  require(shear_modulus(shape.material) > 0, "the shear modulus of a membrane must be positive");
   require(shape.density > 0, "the density of a membrane must be positive");
 
   double const length = shape.to - shape.from;
@@ -26,7 +26,7 @@ Membrane flat_membrane(FlatShape const& shape)
              .position = {},
              .velocity = Eigen::VectorXd::Zero(2 * nodes),
              .thickness = Eigen::VectorXd(elements),
-             .shear_modulus = shape.shear_modulus,
+             .material = shape.material,
              .density = shape.density,
              .fixed = std::vector<char>(2 * nodes, 0)};
   for (int a = 0; a < nodes; ++a) {

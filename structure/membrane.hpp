@@ -1,6 +1,7 @@
 #pragma once
 #include "core/symmetry.hpp"
 #include "core/vec.hpp"
+#include "structure/mooney_rivlin.hpp"
 
 #include <Eigen/Core>
 
@@ -20,7 +21,7 @@ struct Membrane {
   Eigen::VectorXd position;   ///< current node positions         [2N]
   Eigen::VectorXd velocity;   ///< current node velocities        [2N]
   Eigen::VectorXd thickness;  ///< undeformed, per element        [N-1]
-  double shear_modulus;       ///< mu of the neo-Hookean law
+  MooneyRivlin material;      ///< its energy
   double density;             ///< mass per volume of the solid
   std::vector<char> fixed;    ///< 1: velocity is prescribed      [2N]
 };
@@ -32,7 +33,7 @@ struct FlatShape {
   double to;                                ///< reference y of the last node
   double element_size;                      ///< wished; rounded so that elements fit
   std::function<double(double)> thickness;  ///< undeformed thickness at reference y
-  double shear_modulus;
+  MooneyRivlin material;
   double density;
   double axial = 0;
 };

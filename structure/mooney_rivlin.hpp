@@ -18,6 +18,16 @@ constexpr MooneyRivlin neo_hookean_rubber(double shear_modulus)
 
 constexpr double shear_modulus(MooneyRivlin const& m) { return 2 * (m.c10 + m.c01); }
 
+/// The same rubber in another unit of pressure.
+constexpr MooneyRivlin scaled(MooneyRivlin const& m, double factor)
+{
+  return {.c10 = factor * m.c10,
+          .c01 = factor * m.c01,
+          .c20 = factor * m.c20,
+          .c11 = factor * m.c11,
+          .c02 = factor * m.c02};
+}
+
 /// The energy and its derivatives by the two invariants.
 struct InvariantEnergy {
   double W, W1, W2, W11, W12, W22;

@@ -7,6 +7,7 @@
 
 #include "cases/app/fluid_scene.hpp"
 #include "cases/app/geometry.hpp"
+#include "cases/app/material_range.hpp"
 #include "cases/app/scene_words.hpp"
 
 namespace velum::cases {
@@ -68,7 +69,7 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
   }
   if (scene.membrane) {
     auto const& m = scene.materials.at(scene.membrane->material);
-    a["membrane"] = "incompressible neo-Hookean, no bending stiffness";
+    a["membrane"] = material_in_words(m) + ", no bending stiffness";
     a["damping"] = fmt::format(
         "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the state the march starts from "
         "(the "

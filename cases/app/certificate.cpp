@@ -55,6 +55,7 @@ std::vector<core::Figure> figures(Certificate const& c)
       {"seat_force", c.settled.seat_force, "N"},
       {"centre_deflection", c.centre_start - c.settled.centre, "m"},
       {"centre_deflection_hydrostatic", c.centre_start - c.centre_hydrostatic, "m"},
+      {"stretch_max", c.stretch_max, "1"},
       {"volume_residual", volume_residual(c), "1"},
       {"spurious_velocity", c.settled.speed_max, "m/s"},
       {"speed_max", c.speed_max, "m/s"},
@@ -101,6 +102,7 @@ std::string certificate_text(Certificate const& c)
   row("centre deflection", fmt::format("{:.4f} mm", 1e3 * deflection));
   row("centre deflection, hydrostatic", fmt::format("{:.4f} mm ({:+.2f} %)", 1e3 * hydrostatic,
                                                     100 * (deflection / hydrostatic - 1)));
+  row("largest stretch of the membrane", fmt::format("{:.4f}", c.stretch_max));
   row("volume balance residual", fmt::format("{:.2g} of the chamber", volume_residual(c)));
   row("largest spurious velocity", fmt::format("{:.3g} mm/s", 1e3 * c.settled.speed_max));
   row("largest Mach number", fmt::format("{:.3g}", c.mach_max));

@@ -13,6 +13,7 @@ struct Certificate {
   Measurement window_begin;      // leak and balance are taken from here to `settled`
   double least_jump_shut = 0;    // over the stage with the inlet shut, Pa
   double centre_hydrostatic = 0, centre_start = 0;
+  double stretch_max = 0;
   double penetration_max = 0, speed_max = 0, mach_max = 0;
   double eddy_mean = 0, eddy_max = 0;  // m2/s
   double wall_time = 0, mlups = 0;

@@ -14,6 +14,8 @@ void stl_command(Options const& options);
 void chart_command(Options const& options);
 /// velum limits: largest stable Reynolds and Mach numbers of every collision; the same.
 void limits_command(Options const& options);
+/// velum fit: laws of rubber from files of test data; a report, material cards, tables, a picture.
+void fit_command(Options const& options);
 /// velum bench: speed of the lattice step, and of the memory, on stdout.
 void bench_command(Options const& options);
 /// velum info: version, back ends, threads, libraries on stdout.

@@ -10,6 +10,7 @@
 #include "cases/app/assumptions.hpp"
 #include "cases/app/certificate.hpp"
 #include "cases/app/dump.hpp"
+#include "cases/app/material_range.hpp"
 #include "cases/app/progress.hpp"
 #include "cases/app/stop.hpp"
 #include "core/check.hpp"
@@ -113,6 +114,10 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   };
   double const cells = double(lbm::observe(s.state.fluid).cells);
 
+  auto const& material = scene.materials.at(scene.membrane->material);
+  StretchRecord stretch;
+  note_stretch(stretch, s.state.membrane, material);
+
   Measurement now = measure(s, flows, 0);
   record(out, s, now, scene.run.output_every);
   c.window_begin = c.settled = now;
@@ -138,6 +143,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
     if (n % sample == 0 || n == total || n == settle || n == window || stopped) {
       now = measure(s, flows, double(n) * dt);
       record(out, s, now, scene.run.output_every);
+      note_stretch(stretch, s.state.membrane, material);
       if (n <= window) c.window_begin = now;
       if (n <= settle) c.settled = now;
       if (n > settle) c.least_jump_shut = std::min(c.least_jump_shut, jump(now));
@@ -153,8 +159,10 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   }
   c.wall_time = elapsed();
   c.mlups = double(total) * cells / c.wall_time / 1e6;
-  core::write_summary(options.out / "summary.json",
-                      {figures(c), assumptions(scene, d, smagorinsky)});
+  c.stretch_max = stretch.largest;
+  auto assumed = assumptions(scene, d, smagorinsky);
+  add_range(assumed, stretch, material);
+  core::write_summary(options.out / "summary.json", {figures(c), assumed});
   if (stopped)
     throw Stopped(
         fmt::format("Stopped by a signal at t = {:.4g} s; the results until then are in {}.",

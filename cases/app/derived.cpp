@@ -162,7 +162,7 @@ structure::Membrane make_membrane(Scene const& scene)
        .to = sheet.to,
        .element_size = sheet.element,
        .thickness = [thickness = sheet.thickness](double y) { return value_at(thickness, y); },
-       .shear_modulus = material.shear_modulus,
+       .material = material.rubber,
        .density = material.density,
        .axial = sheet.position});
 }

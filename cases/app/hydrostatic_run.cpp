@@ -5,6 +5,7 @@
 
 #include "cases/app/assumptions.hpp"
 #include "cases/app/hydrostatic_scene.hpp"
+#include "cases/app/material_range.hpp"
 #include "core/output/series.hpp"
 #include "structure/faces.hpp"
 
@@ -36,12 +37,17 @@ void run_hydrostatic(Scene const& scene, std::filesystem::path const& out)
   double const deflection = dx * (s.membrane.reference[0] - s.membrane.position[0]);
   double const force = core::to_si_force(d.units, symmetry(scene), s.report.patch.force);
   double const penetration = dx * s.report.patch.penetration;
+  auto const& material = scene.materials.at(scene.membrane->material);
+  StretchRecord stretch;
+  note_stretch(stretch, s.membrane, material);
   core::Summary summary{{{"centre_deflection_hydrostatic", deflection, "m"},
                          {"seat_force", force, "N"},
                          {"penetration", penetration, "m"},
+                         {"stretch_max", stretch.largest, "1"},
                          {"iterations", double(s.report.iterations), "1"},
                          {"wall_time", wall_time, "s"}},
                         assumptions(scene, d, 0)};
+  add_range(summary.assumptions, stretch, material);
   core::write_summary(out / "summary.json", summary);
   for (auto const& [name, sentence] : summary.assumptions) spdlog::info("{}: {}", name, sentence);
   spdlog::info(

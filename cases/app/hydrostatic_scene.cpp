@@ -31,9 +31,17 @@ structure::Membrane lattice_membrane(Scene const& scene, Derived const& d)
        .element_size = sheet.element / dx,
        .thickness = [thickness = sheet.thickness,
                      dx](double y) { return value_at(thickness, y * dx) / dx; },
-       .shear_modulus = core::to_lattice_pressure(d.units, material.shear_modulus),
+       .material = structure::scaled(material.rubber, core::to_lattice_pressure(d.units, 1)),
        .density = core::to_lattice_density(d.units, material.density),
        .axial = sheet.position / dx});
+}
+
+/// Sub-steps that the membrane takes where it is, closed.
+int substeps_of(HydrostaticScene const& s, Eigen::VectorXd const& position)
+{
+  Eigen::VectorXd const mass = structure::lumped_mass(s.membrane);
+  double const stable = structure::stable_step(s.membrane, mass, position, s.contact_stiffness);
+  return structure::substeps_for(1.0, stable);
 }
 
 }  // namespace
@@ -46,7 +54,7 @@ double outlet_pressure(Scene const& scene, double time)
 
 HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
 {
-  HydrostaticScene s{lattice_membrane(scene, d), {}, {}, 1, {}, {}};
+  HydrostaticScene s{lattice_membrane(scene, d), {}, {}, 1, {}, {}, {}};
   auto const& sheet = *scene.membrane;
   double const dx = d.units.dx;
   if (sheet.spring) {
@@ -56,19 +64,18 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
                      spring.free_length / dx, spring.installed_length / dx, spring.radius / dx}));
   }
   Eigen::VectorXd const mass = structure::lumped_mass(s.membrane);
-  Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(mass.size());
+  s.contact_stiffness = Eigen::VectorXd::Zero(mass.size());
   if (scene.contact) {
     Eigen::VectorXd const area = structure::nodal_area(s.membrane);
     // per length and area: pressure / dx
     double const k = scene.contact->stiffness
                          ? core::to_lattice_pressure(d.units, *scene.contact->stiffness * dx)
                          : contact::stable_stiffness((mass.array() / area.array()).minCoeff(), 1);
-    stiffness = k * area;
+    s.contact_stiffness = k * area;
     s.seat = std::make_shared<ibm::SeatContact>(ibm::make_seat_contact(
         core::transformed(solid(scene, scene.contact->seat), 1 / dx, {0, 0}), k, s.membrane));
   }
-  double const stable = structure::stable_step(s.membrane, mass, s.membrane.reference, stiffness);
-  s.substeps = structure::substeps_for(1.0, stable);
+  s.substeps = substeps_of(s, s.membrane.reference);
   return s;
 }
 
@@ -86,6 +93,9 @@ void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& d)
   s.load.above = s.load.outside = core::to_lattice_pressure(d.units, inlet_pressure(scene, 0));
   s.load.inside = core::to_lattice_pressure(d.units, outlet_pressure(scene, 0));
   s.report = ibm::hydrostatic_equilibrium(s.membrane, s.seat, s.loads, s.load, augment);
+  // other laws than the neo-Hookean one may stiffen as they are stretched
+  if (scene.materials.at(scene.membrane->material).card)
+    s.substeps = std::max(s.substeps, substeps_of(s, s.membrane.position));
 }
 
 }  // namespace velum::cases

@@ -16,6 +16,7 @@ struct HydrostaticScene {
   int substeps = 1;                        // of an explicit step of the lattice's length
   ibm::HydrostaticLoad load;               // the region pressures
   ibm::HydrostaticReport report;
+  Eigen::VectorXd contact_stiffness;  // per node
 };
 
 /// Membrane, spring and contact, undeformed. The penalty is the scene's, or as stiff as sub-steps

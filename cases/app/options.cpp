@@ -108,6 +108,28 @@ void add_limits(CLI::App& app, Options& options)
   add_common(*limits, options);
 }
 
+void add_fit(CLI::App& app, Options& options)
+{
+  auto* fit = app.add_subcommand(
+      "fit",
+      "Laws of rubber from test data: neo-Hookean, Mooney-Rivlin of 2 and 5; material cards");
+  fit->add_option("DATA", options.data,
+                  "CSV files of uniaxial, equibiaxial, planar or bulge tests, fitted together; the "
+                  "first line says \"# test = uniaxial\"")
+      ->required()
+      ->type_name("");
+  fit->add_option("--model", options.model,
+                  "One law alone: neo_hookean, mooney_rivlin_2, mooney_rivlin_5 (all)")
+      ->type_name("LAW");
+  fit->add_option("--from", options.from, "Smallest stretch to fit (all)")->type_name("STRETCH");
+  fit->add_option("--to", options.to, "Largest stretch to fit (all): 2 is 100 % strain")
+      ->type_name("STRETCH");
+  fit->add_flag("--relative", options.relative,
+                "Residuals count by their share of the stress, not by their size");
+  add_out(*fit, options, "results/fit_<name of the first file>");
+  add_common(*fit, options);
+}
+
 void add_bench(CLI::App& app, Options& options)
 {
   auto* bench = app.add_subcommand(
@@ -131,6 +153,7 @@ Command parsed(CLI::App const& app)
          : name == "stl"    ? Command::stl
          : name == "chart"  ? Command::chart
          : name == "limits" ? Command::limits
+         : name == "fit"    ? Command::fit
          : name == "bench"  ? Command::bench
                             : Command::info;
 }
@@ -172,13 +195,14 @@ CommandLine read_command_line(int argc, char const* const* argv)
   add_common(*stl, options);
   add_chart(app, options);
   add_limits(app, options);
+  add_fit(app, options);
   add_bench(app, options);
 
   auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
   add_common(*info, options);
 
-  std::vector<std::string> const commands{"run",    "check", "stl", "chart",
-                                          "limits", "bench", "info"};
+  std::vector<std::string> const commands{"run",    "check", "stl",   "chart",
+                                          "limits", "fit",   "bench", "info"};
   if (argc > 1 && argv[1][0] != '-' &&
       std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     std::string const near = core::nearest(argv[1], commands);

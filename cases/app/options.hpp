@@ -6,7 +6,7 @@
 
 namespace velum::cases {
 
-enum class Command { run, check, stl, chart, limits, bench, info };
+enum class Command { run, check, stl, chart, limits, fit, bench, info };
 
 /// What the command line asks for.
 struct Options {
@@ -20,8 +20,12 @@ struct Options {
   std::filesystem::path out;                  // empty: results/<name of the scene or STL file>
   std::filesystem::path stl;                  // the STL file,
   std::string unit, dx, cut;  // its unit, the cells it is looked at with, "x=0.5 mm" or empty
-  int threads = 0;            // 0: all
-  bool json = false;          // of bench
+  std::vector<std::filesystem::path> data;  // files of test data,
+  std::string model;                        // the law to fit, empty for all,
+  double from = 0, to = 20;                 // between these stretches,
+  bool relative = false;                    // weighing each point by its own stress
+  int threads = 0;                          // 0: all
+  bool json = false;                        // of bench
   bool quiet = false;
   std::vector<std::string> kokkos;  // --kokkos-* arguments as they are
 };

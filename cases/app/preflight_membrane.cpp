@@ -84,6 +84,9 @@ std::vector<Row> membrane_rows(Scene const& scene, Derived const& d)
   if (scene.contact) rows = {gap_row(scene), land_row(scene)};
   rows.push_back(thickness_row(scene, d));
   rows.push_back(mass_row(scene, d));
+  if (auto const& card = scene.materials.at(scene.membrane->material).card)
+    rows.push_back({"stretch that the card is fitted to", largest_stretch(card->fitted), "",
+                    Verdict::info, tests_in_words(card->fitted) + "; a run warns beyond"});
   rows.push_back({"stable step of the membrane", 1e6 * d.structure_step, "us", Verdict::info,
                   "elements against the wave speed sqrt(4 mu / rho_s)"});
   rows.push_back(sub_steps_row(scene, d));

@@ -38,6 +38,7 @@ void prepare_results(Scene const& scene, std::filesystem::path const& out)
   };
   if (scene.reference) copy(scene.reference->file);
   for (auto const& solid : scene.solids) copy(solid.file);
+  for (auto const& [name, material] : scene.materials) copy(material.file);
 
   std::ofstream file(scene_file);
   file << scene.text << std::flush;

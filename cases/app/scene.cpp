@@ -3,6 +3,7 @@
 #include "cases/app/overrides.hpp"
 #include "cases/app/scene_checks.hpp"
 #include "cases/app/scene_sections.hpp"
+#include "cases/app/scene_text.hpp"
 #include "core/check.hpp"
 
 #include <fmt/format.h>
@@ -12,24 +13,6 @@
 
 namespace velum::cases {
 namespace {
-
-toml::table parse_file(std::filesystem::path const& file)
-{
-  std::error_code ignored;
-  core::require(std::filesystem::exists(file, ignored),
-                fmt::format("{}: there is no such scene file.", file.string()));
-  core::require(std::filesystem::is_regular_file(file, ignored),
-                fmt::format("{}: is not a file; name the scene.toml in it.", file.string()));
-  try {
-    return toml::parse_file(file.string());
-  } catch (toml::parse_error const& error) {
-    auto const line = error.source().begin.line;
-    throw core::InputError(
-        line > 0
-            ? fmt::format("{}:{}: is not valid TOML: {}.", file.string(), line, error.description())
-            : fmt::format("{}: cannot be read: {}.", file.string(), error.description()));
-  }
-}
 
 /// The symmetry has to be known before the sections whose units depend on it.
 core::Symmetry symmetry_of(Fidelity fidelity, SceneTable& root)
@@ -95,8 +78,11 @@ Scene compose(SceneTable root)
 
 Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides)
 {
-  toml::table merged = parse_file(file);
-  Origins origins{file.string(), {}, {}};
+  std::error_code ignored;
+  core::require(!std::filesystem::is_directory(file, ignored),
+                fmt::format("{}: is not a file; name the scene.toml in it.", file.string()));
+  toml::table merged = parse_toml(file, "scene file");
+  Origins origins{.file = file.string(), .overridden = {}, .places = {}};
   for (auto const& text : overrides) origins.overridden.push_back(apply_override(merged, text));
 
   Scene scene = compose(SceneTable(merged, "", origins));

@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/app/curve.hpp"
+#include "cases/app/material_card.hpp"
 #include "cases/app/scene_flow.hpp"
 #include "core/signed_distance.hpp"
 #include "core/symmetry.hpp"
@@ -102,12 +103,14 @@ struct Boundary {
   Axis along = Axis::x;  // moving wall in space: axis of its motion
 };
 
-/// Incompressible neo-Hookean rubber with Rayleigh damping alpha M + beta K0.
+/// Incompressible rubber, neo-Hookean or by a card, with Rayleigh damping alpha M + beta K0.
 struct Material {
-  double shear_modulus;
+  structure::MooneyRivlin rubber;
   double density;
   double damping_mass = 0;       // alpha, 1/s
   double damping_stiffness = 0;  // beta, s
+  std::string file{};            // of the card, beside the scene; empty: none
+  std::optional<MaterialCard> card{};
 };
 
 /// Spring between a fixed support and the patch of the membrane within `radius` of its centre. It

@@ -8,11 +8,22 @@ using core::Dimension;
 
 Material read_material(SceneTable table)
 {
-  table.allow({"shear_modulus", "density", "damping_mass", "damping_stiffness"});
-  return {table.quantity("shear_modulus", Dimension::pressure, Sign::positive),
-          table.quantity("density", Dimension::density, Sign::positive),
-          table.quantity("damping_mass", Dimension::frequency, Sign::not_negative, 0.0),
-          table.quantity("damping_stiffness", Dimension::time, Sign::not_negative, 0.0)};
+  table.allow({"shear_modulus", "card", "density", "damping_mass", "damping_stiffness"});
+  Material material{{},
+                    table.quantity("density", Dimension::density, Sign::positive),
+                    table.quantity("damping_mass", Dimension::frequency, Sign::not_negative, 0.0),
+                    table.quantity("damping_stiffness", Dimension::time, Sign::not_negative, 0.0)};
+  if (!table.has("card")) {
+    material.rubber = structure::neo_hookean_rubber(
+        table.quantity("shear_modulus", Dimension::pressure, Sign::positive));
+    return material;
+  }
+  if (table.has("shear_modulus"))
+    table.fail("shear_modulus", "and \"card\" both say how stiff the rubber is; keep one.");
+  material.file = table.file_name("card");
+  material.card = read_card(table.beside(material.file));
+  material.rubber = material.card->rubber;
+  return material;
 }
 
 namespace {

@@ -61,7 +61,7 @@ void SceneTable::allow(std::vector<std::string> const& keys, std::string const& 
   for (auto const& [key, node] : *table_) {
     std::string const name(key.str());
     if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
-    std::string const where = path_.empty() ? "the scene" : '[' + path_ + ']';
+    std::string const where = path_.empty() ? origins_->whole : '[' + path_ + ']';
     std::string const hint = did_you_mean(name, keys);
     fail(name, fmt::format("is not a key of {}{}{} Allowed: {}.", where, condition,
                            hint.empty() ? "." : hint, fmt::join(keys, ", ")));

@@ -24,6 +24,7 @@ struct Origins {
   std::vector<std::string> overridden;        // keys given by --set
   std::map<std::string, std::string> places;  // of every key that was read
   int dimensions = 2;                         // coordinates of a point
+  std::string whole = "the scene";            // what the file is
 };
 
 /// One table of a scene while it is read. Every function that reads a key notes its place, and

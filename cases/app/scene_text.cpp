@@ -1,10 +1,29 @@
 #include "cases/app/scene_text.hpp"
 
+#include "core/check.hpp"
 #include "core/spelling.hpp"
 
 #include <fmt/format.h>
 
 namespace velum::cases {
+
+toml::table parse_toml(std::filesystem::path const& file, std::string_view what)
+{
+  std::error_code ignored;
+  core::require(std::filesystem::exists(file, ignored),
+                fmt::format("{}: there is no such {}.", file.string(), what));
+  core::require(std::filesystem::is_regular_file(file, ignored),
+                fmt::format("{}: is not a file.", file.string()));
+  try {
+    return toml::parse_file(file.string());
+  } catch (toml::parse_error const& error) {
+    auto const line = error.source().begin.line;
+    throw core::InputError(
+        line > 0
+            ? fmt::format("{}:{}: is not valid TOML: {}.", file.string(), line, error.description())
+            : fmt::format("{}: cannot be read: {}.", file.string(), error.description()));
+  }
+}
 
 std::string describe(toml::node const& node)
 {

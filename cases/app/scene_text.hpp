@@ -3,12 +3,18 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// Pieces of the sentences about a scene.
+/// Pieces of the sentences about a scene and other files.
 namespace velum::cases {
+
+/// The tables of a file.
+/// @param what  the file should be, "scene file"
+/// @throws core::InputError  there is no such file, or it is not TOML
+toml::table parse_toml(std::filesystem::path const& file, std::string_view what);
 
 /// What a node is, in words.
 std::string describe(toml::node const& node);

@@ -27,6 +27,20 @@ inline Words<Collision> words(Collision)
           {"central_moments", Collision::central_moments},
           {"cumulant", Collision::cumulant}};
 }
+inline Words<structure::FitModel> words(structure::FitModel)
+{
+  using structure::FitModel;
+  return {{"neo_hookean", FitModel::neo_hookean},
+          {"mooney_rivlin_2", FitModel::mooney_rivlin_2},
+          {"mooney_rivlin_5", FitModel::mooney_rivlin_5}};
+}
+inline Words<structure::TestMode> words(structure::TestMode)
+{
+  using structure::TestMode;
+  return {{"uniaxial", TestMode::uniaxial},
+          {"planar", TestMode::planar},
+          {"equibiaxial", TestMode::equibiaxial}};
+}
 inline Words<Precision> words(Precision)
 {
   return {

@@ -35,14 +35,16 @@ TableFile read_table_file(std::filesystem::path const& path,
 {
   std::ifstream file(path);
   core::require(file.good(), fmt::format("{}: cannot be read.", path.string()));
-  TableFile table{path, {}, {}, {}};
+  TableFile table{path, {}, {}, {}, 0};
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
+    if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // byte order mark
     line = trimmed(line);
     if (line.empty() || line.front() == '#') continue;
     auto row = cells(line);
     if (table.columns.empty()) {
       table.columns = std::move(row);
+      table.header_line = number;
       continue;
     }
     core::require(row.size() == table.columns.size(),

@@ -13,6 +13,7 @@ struct TableFile {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<int> lines;  // of the rows in the file
+  int header_line;
 };
 
 /// @param required  columns that must be there

@@ -18,7 +18,7 @@ TEST(Scene, ValuesArriveInSiUnits)
   EXPECT_DOUBLE_EQ(scene.lattice.from[0], -4e-3);
   EXPECT_DOUBLE_EQ(scene.lattice.to[1], 6e-3);
   EXPECT_DOUBLE_EQ(scene.fluid.viscosity, 1e-6);
-  EXPECT_DOUBLE_EQ(scene.materials.at("rubber").shear_modulus, 1e6);
+  EXPECT_DOUBLE_EQ(structure::shear_modulus(scene.materials.at("rubber").rubber), 1e6);
   EXPECT_DOUBLE_EQ(scene.materials.at("rubber").damping_stiffness, 5e-3);
   EXPECT_DOUBLE_EQ(cases::value_at(scene.membrane->thickness, 1e-3), 2e-3);
   ASSERT_EQ(scene.boundaries.size(), 2u);

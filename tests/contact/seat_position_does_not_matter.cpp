@@ -32,7 +32,8 @@ double deflection_with_seat_at(double inner)
 {
   auto s = pressed(
       structure::flat_membrane({core::Symmetry::axisymmetric, 0, 8.25e-3, 1e-4,
-                                [](double) { return 2e-3; }, 0.946e6, 1140}),
+                                [](double) { return 2e-3; }, structure::neo_hookean_rubber(0.946e6),
+                                1140}),
       core::polygon(
           {{-3e-3, inner}, {-1.1e-3, inner}, {-1.1e-3, inner + 0.5e-3}, {-3e-3, inner + 0.5e-3}},
           0.15e-3),

@@ -22,7 +22,8 @@ double speed_after_bounce(double factor)
 {
   double const dt = 0.01, thickness = 0.1, density = 3, speed = 0.01;
   auto m = structure::flat_membrane({core::Symmetry::planar, 0, 1, 0.1,
-                                     [=](double) { return thickness; }, 0.05, density, 0.0525});
+                                     [=](double) { return thickness; },
+                                     structure::neo_hookean_rubber(0.05), density, 0.0525});
   std::fill(m.fixed.begin(), m.fixed.end(), 0);
   for (int a = 0; a < node_count(m); ++a) m.velocity[2 * a] = -speed;
   double const k = factor * contact::stable_stiffness(density * thickness, dt);

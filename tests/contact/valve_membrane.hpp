@@ -14,7 +14,8 @@ inline PressedMembrane closed_valve(double stiffness, bool augment, double eleme
                                     double shift = 0)
 {
   auto membrane = structure::flat_membrane({core::Symmetry::axisymmetric, 0, 8.25e-3, element_size,
-                                            [](double) { return 2e-3; }, 0.946e6, 1140, shift});
+                                            [](double) { return 2e-3; },
+                                            structure::neo_hookean_rubber(0.946e6), 1140, shift});
   double const top = shift - 1.1e-3, foot = shift - 3e-3;
   auto seat = core::polygon({{foot, 5e-3}, {top, 5e-3}, {top, 5.5e-3}, {foot, 5.5e-3}}, 0.15e-3);
   auto s = pressed(std::move(membrane), std::move(seat), stiffness);

@@ -27,8 +27,9 @@ TEST(DiffuseMembrane, GoesWithAUniformFlow)
     Kokkos::deep_copy(state, lbm::CellState{0, flow[0], flow[1]});
     lbm::set_equilibrium(s.fluid, state);
     s.walls = tests::no_solids();
-    s.membrane = structure::flat_membrane({core::Symmetry::planar, 0.0, double(n), 1.0,
-                                           [](double) { return h; }, 0.01, mass_per_area / h, 9.3});
+    s.membrane = structure::flat_membrane(
+        {core::Symmetry::planar, 0.0, double(n), 1.0, [](double) { return h; },
+         structure::neo_hookean_rubber(0.01), mass_per_area / h, 9.3});
     std::fill(s.membrane.fixed.begin(), s.membrane.fixed.end(), 0);
     s.body = ibm::make_diffuse(s.fluid, lbm::find_walls(s.fluid, s.walls), {}, s.membrane, 0);
     s.stepper = structure::explicit_stepper(s.membrane, {});

@@ -29,8 +29,8 @@ struct Swing {
 
 Swing swing(double share_of_stable_step, int steps)
 {
-  auto m = flat_membrane(
-      {core::Symmetry::axisymmetric, 0, 1, 1.0 / 20, [](double) { return 0.01; }, 100, 1});
+  auto m = flat_membrane({core::Symmetry::axisymmetric, 0, 1, 1.0 / 20, [](double) { return 0.01; },
+                          neo_hookean_rubber(100), 1});
   auto const pressure = uniform_pressure(m, Side::minus, 0.5);
   std::array const loads{pressure_load(m, pressure)};
   static_solve(m, loads);

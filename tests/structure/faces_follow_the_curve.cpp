@@ -20,7 +20,7 @@ namespace {
 Membrane disc(int elements, double thickness)
 {
   return flat_membrane({core::Symmetry::axisymmetric, 0, 1, 1.0 / elements,
-                        [=](double) { return thickness; }, 1, 1});
+                        [=](double) { return thickness; }, neo_hookean_rubber(1), 1});
 }
 
 TEST(Faces, of_a_sphere_are_exact)

@@ -26,8 +26,8 @@ constexpr Rayleigh damping{2, 0.01};
 
 Membrane disc()
 {
-  return flat_membrane(
-      {core::Symmetry::axisymmetric, 0, 1, 1.0 / 16, [](double) { return 0.01; }, 100, 20});
+  return flat_membrane({core::Symmetry::axisymmetric, 0, 1, 1.0 / 16, [](double) { return 0.01; },
+                        neo_hookean_rubber(100), 20});
 }
 
 void set_pressure(FacePressure& pressure, double t)

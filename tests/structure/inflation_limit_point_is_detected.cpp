@@ -19,8 +19,8 @@ namespace {
 
 Membrane disc()
 {
-  return flat_membrane(
-      {core::Symmetry::axisymmetric, 0, 1, 1.0 / 80, [](double) { return 0.01; }, 100, 1});
+  return flat_membrane({core::Symmetry::axisymmetric, 0, 1, 1.0 / 80, [](double) { return 0.01; },
+                        neo_hookean_rubber(100), 1});
 }
 
 TEST(InflationLimit, is_carried_below)

@@ -24,8 +24,8 @@ double const omega0 = std::numbers::pi / length * std::sqrt(4 * mu / rho);
 
 Membrane plucked()
 {
-  auto m = flat_membrane(
-      {core::Symmetry::planar, 0, length, length / 40, [](double) { return 0.1; }, mu, rho});
+  auto m = flat_membrane({core::Symmetry::planar, 0, length, length / 40,
+                          [](double) { return 0.1; }, neo_hookean_rubber(mu), rho});
   for (int a = 0; a < node_count(m); ++a)
     m.position[2 * a + 1] += 1e-6 * std::sin(std::numbers::pi * m.reference[2 * a + 1] / length);
   return m;

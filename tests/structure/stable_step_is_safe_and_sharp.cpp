@@ -37,13 +37,13 @@ double exact_limit(Membrane const& m)
 
 TEST(StableStep, is_a_bound_and_tight)
 {
-  auto disc = flat_membrane(
-      {core::Symmetry::axisymmetric, 0, 1, 1.0 / 30, [](double) { return 0.01; }, 100, 1});
+  auto disc = flat_membrane({core::Symmetry::axisymmetric, 0, 1, 1.0 / 30,
+                             [](double) { return 0.01; }, neo_hookean_rubber(100), 1});
   auto const pressure = uniform_pressure(disc, Side::minus, 1);
   std::array const loads{pressure_load(disc, pressure)};
   static_solve(disc, loads);
-  auto const strip =
-      flat_membrane({core::Symmetry::planar, 0, 1, 0.05, [](double) { return 0.01; }, 100, 1});
+  auto const strip = flat_membrane({core::Symmetry::planar, 0, 1, 0.05, [](double) { return 0.01; },
+                                    neo_hookean_rubber(100), 1});
   for (auto const& m : {disc, strip}) {
     double const ratio = stable_step(m, lumped_mass(m), m.position) / exact_limit(m);
     EXPECT_LE(ratio, 1 + 1e-12);
@@ -54,8 +54,8 @@ TEST(StableStep, is_a_bound_and_tight)
 TEST(StableStep, separates_bounded_from_growing)
 {
   for (double const share : {0.99, 1.3}) {
-    auto m =
-        flat_membrane({core::Symmetry::planar, 0, 1, 0.05, [](double) { return 0.01; }, 100, 1});
+    auto m = flat_membrane({core::Symmetry::planar, 0, 1, 0.05, [](double) { return 0.01; },
+                            neo_hookean_rubber(100), 1});
     for (int i = 3; i < 38; i += 2) m.velocity[i] = 1e-6 * (i % 4 - 2);
     auto stepper = explicit_stepper(m, {});
     double const dt = share * stable_step(m, stepper.mass, m.position);
@@ -80,8 +80,8 @@ TEST(StableStep, separates_bounded_from_growing)
 
 TEST(StableStep, shrinks_with_contact_stiffness)
 {
-  auto const m =
-      flat_membrane({core::Symmetry::planar, 0, 1, 0.05, [](double) { return 0.01; }, 100, 1});
+  auto const m = flat_membrane({core::Symmetry::planar, 0, 1, 0.05, [](double) { return 0.01; },
+                                neo_hookean_rubber(100), 1});
   auto const mass = lumped_mass(m);
   double const free = stable_step(m, mass, m.position);
   Eigen::VectorXd const contact = 1e6 * mass;  // omega^2 = 1e6 on its own

@@ -24,8 +24,8 @@ namespace {
 
 Membrane disc()
 {
-  return flat_membrane(
-      {core::Symmetry::axisymmetric, 0, 1, 1.0 / 20, [](double) { return 0.01; }, 100, 100});
+  return flat_membrane({core::Symmetry::axisymmetric, 0, 1, 1.0 / 20, [](double) { return 0.01; },
+                        neo_hookean_rubber(100), 100});
 }
 
 /// Nodes beyond x = 0.05 are pushed back.

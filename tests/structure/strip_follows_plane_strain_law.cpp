@@ -16,8 +16,8 @@ namespace {
 TEST(Strip, follows_the_plane_strain_law)
 {
   double const mu = 2, H1 = 0.1, H2 = 0.3;
-  auto m = flat_membrane(
-      {core::Symmetry::planar, -1, 1, 0.1, [&](double y) { return y < 0 ? H1 : H2; }, mu, 1});
+  auto m = flat_membrane({core::Symmetry::planar, -1, 1, 0.1,
+                          [&](double y) { return y < 0 ? H1 : H2; }, neo_hookean_rubber(mu), 1});
   for (double const end : {1.2, 2.0, 3.5}) {
     int const last = 2 * node_count(m) - 1;
     m.position[last] = end;

@@ -19,7 +19,8 @@ namespace {
 /// An uneven, curved, stretched membrane: nothing vanishes by symmetry.
 Membrane bent(core::Symmetry symmetry)
 {
-  auto m = flat_membrane({symmetry, 0, 1, 0.1, [](double y) { return 0.1 + 0.05 * y; }, 3, 1});
+  auto m = flat_membrane({symmetry, 0, 1, 0.1, [](double y) { return 0.1 + 0.05 * y; },
+                          MooneyRivlin{1, 0.5, 0.2, -0.1, 0.05}, 1});
   for (int i = 0; i < node_count(m); ++i) {
     double const y = m.reference[2 * i + 1];
     m.position[2 * i] = 0.4 * (1 - y * y) + 0.02 * std::sin(9 * y);

@@ -22,7 +22,8 @@ namespace {
 
 Membrane cap(core::Symmetry symmetry)
 {
-  auto m = flat_membrane({symmetry, 0, 2, 0.1, [](double y) { return 0.1 + 0.1 * y; }, 3, 1});
+  auto m = flat_membrane(
+      {symmetry, 0, 2, 0.1, [](double y) { return 0.1 + 0.1 * y; }, neo_hookean_rubber(3), 1});
   for (int i = 0; i < node_count(m); ++i) {
     double const angle = 0.5 * m.reference[2 * i + 1];
     m.position[2 * i] = 2 * std::cos(angle);

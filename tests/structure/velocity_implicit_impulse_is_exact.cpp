@@ -17,8 +17,8 @@ namespace {
 
 Membrane stretched()
 {
-  auto m = flat_membrane(
-      {core::Symmetry::axisymmetric, 0, 1, 0.1, [](double y) { return 0.1 + 0.1 * y; }, 3, 1});
+  auto m = flat_membrane({core::Symmetry::axisymmetric, 0, 1, 0.1,
+                          [](double y) { return 0.1 + 0.1 * y; }, neo_hookean_rubber(3), 1});
   for (int a = 0; a < node_count(m); ++a)
     m.position[2 * a] = 0.3 * std::cos(1.5 * m.reference[2 * a + 1]);
   return m;
@@ -88,7 +88,8 @@ TEST(VelocityImplicitStep, that_prescribes_every_velocity_by_beta_drags_the_rest
 {
   // beta so large that the strip moves as if rigid along its length: the free nodes must follow
   // the prescribed end, which they feel only through the damping matrix.
-  auto m = flat_membrane({core::Symmetry::planar, 0, 1, 0.25, [](double) { return 0.1; }, 1, 1});
+  auto m = flat_membrane(
+      {core::Symmetry::planar, 0, 1, 0.25, [](double) { return 0.1; }, neo_hookean_rubber(1), 1});
   m.velocity[1] = m.velocity[9] = 0.3;
   auto stepper = explicit_stepper(m, {0, 1e6});
   Eigen::VectorXd const none = Eigen::VectorXd::Zero(m.position.size());

@@ -47,9 +47,9 @@ SharpSceneOf<Real> make_piston(PistonSpec const& spec)
   s.walls = spec.solids;
   auto const walls = lbm::find_walls(s.fluid, s.walls);
   double const rim = spec.to > 0 ? spec.to : spec.ny;
-  s.membrane = structure::flat_membrane({spec.symmetry, spec.from, rim, spec.element,
-                                         [&](double) { return spec.thickness; }, spec.shear_modulus,
-                                         spec.density, spec.place});
+  s.membrane = structure::flat_membrane(
+      {spec.symmetry, spec.from, rim, spec.element, [&](double) { return spec.thickness; },
+       structure::neo_hookean_rubber(spec.shear_modulus), spec.density, spec.place});
   if (spec.initial_shape)
     for (int a = 0; a < structure::node_count(s.membrane); ++a)
       s.membrane.position[2 * a] += spec.initial_shape(s.membrane.position[2 * a + 1]);

@@ -1,0 +1,28 @@
+#pragma once
+#include "cases/app/scene.hpp"
+#include "core/output/summary.hpp"
+#include "structure/membrane.hpp"
+
+namespace velum::cases {
+
+/// How far a run stretched its membrane, against what the material is known for.
+struct StretchRecord {
+  double largest = 1;  // stretch
+  double i1 = 0;       // I1 - 3
+  bool stable = true;  // by Drucker, at every state that was looked at
+};
+
+/// Takes the state of the membrane into the record. The first time that it leaves what the tests
+/// behind the material's card reached, in stretch or in I1 (both ways at once draw the chains out
+/// farther than one), or the law's stability, a warning goes to the log.
+void note_stretch(StretchRecord& record, structure::Membrane const& membrane,
+                  Material const& material);
+
+/// What the material is, in words.
+std::string material_in_words(Material const& material);
+
+/// Adds what the record says about the card, if there is one, to what the run assumed.
+void add_range(core::Assumptions& assumptions, StretchRecord const& record,
+               Material const& material);
+
+}  // namespace velum::cases
