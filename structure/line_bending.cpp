@@ -113,7 +113,7 @@ LineBending line_bending(Membrane const& m, Rim rim)
     b.area = b.on_axis ? std::numbers::pi * L * L / 4 : core::ring(m.symmetry, here[1]) * L;
     double const H =
         (m.thickness[std::max(a - 1, 0)] + m.thickness[std::min(a, element_count(m) - 1)]) / 2;
-    b.stiffness = m.shear_modulus * H * H * H / 3;
+    b.stiffness = shear_modulus(m.material) * H * H * H / 3;
     if (end) {
       int const other = b.behind ? a + 1 : a - 1;
       b.held = (b.behind ? 1.0 : -1.0) / length(other) * (node(m.reference, other) - here);

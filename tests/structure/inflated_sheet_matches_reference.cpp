@@ -67,8 +67,8 @@ TEST(InflatedSheet, matches_reference_of_mooney_and_rivlin)
 /// Of 640 line elements.
 Membrane line(double load)
 {
-  auto m = flat_membrane(
-      {core::Symmetry::axisymmetric, 0, a, a / 640, [](double) { return H; }, mu, 1140});
+  auto m = flat_membrane({core::Symmetry::axisymmetric, 0, a, a / 640, [](double) { return H; },
+                          neo_hookean_rubber(mu), 1140});
   auto const pressure = uniform_pressure(m, Side::minus, load * mu * H / a);
   std::array const loads{pressure_load(m, pressure)};
   static_solve(m, loads);

@@ -49,8 +49,8 @@ double by_lines(core::Symmetry symmetry, int elements, double linear)
 {
   bool const ring = symmetry == core::Symmetry::axisymmetric;
   double const from = ring ? 0 : -a, factor = ring ? 64 : 24;
-  auto m =
-      flat_membrane({symmetry, from, a, (a - from) / elements, [](double) { return H; }, mu, 1100});
+  auto m = flat_membrane({symmetry, from, a, (a - from) / elements, [](double) { return H; },
+                          neo_hookean_rubber(mu), 1100});
   auto const bending = line_bending(m, Rim::clamped);
   auto const pressure = uniform_pressure(m, Side::minus, linear * H * factor * D / std::pow(a, 4));
   std::array const loads{pressure_load(m, pressure), bending_load(bending)};
@@ -131,7 +131,8 @@ TEST(Bending, has_the_force_and_tangent_of_its_energy)
   EXPECT_NEAR(bending_energy(bending, s.reference), 0, 1e-20);
   expect_derivatives(bending, s.reference, s.fixed);
   for (auto symmetry : {core::Symmetry::axisymmetric, core::Symmetry::planar}) {
-    auto const m = flat_membrane({symmetry, 0, a, a / 6, [](double) { return H; }, mu, 1100});
+    auto const m = flat_membrane(
+        {symmetry, 0, a, a / 6, [](double) { return H; }, neo_hookean_rubber(mu), 1100});
     expect_derivatives(line_bending(m, Rim::clamped), m.reference, m.fixed);
   }
 }
