@@ -1,0 +1,22 @@
+#pragma once
+#include <memory>
+
+#include "contact/point_contact.hpp"
+#include "structure/load.hpp"
+#include "structure/sheet.hpp"
+
+namespace velum::ibm {
+
+/// Contact of a sheet's nodes with a rigid solid: areas those of the undeformed sheet, offsets half
+/// its undeformed thickness, so that the force is the derivative of an energy.
+/// @param stiffness  pressure per length
+contact::PointContact make_sheet_contact(structure::Sheet const& sheet,
+                                         core::SignedDistance<3> solid, double stiffness);
+
+/// The contact as a load with its tangent. It is shared, so that its multipliers may change.
+structure::Load contact_load(std::shared_ptr<contact::PointContact> const& contact);
+
+/// Places of the nodes, as contact looks at them.
+std::vector<core::Vec3> node_places(Eigen::VectorXd const& x);
+
+}  // namespace velum::ibm
