@@ -79,7 +79,7 @@ KOKKOS_FORCEINLINE_FUNCTION void update_cell(Row<Real, L, Stored, with> const& r
       around.force[a] += row.force[a][x];
     });
   if constexpr (with != With::nothing) around.smagorinsky_squared *= row.eddy[x];
-  collide<L, Axisymmetric, with != With::nothing>(f, rule, around);
+  collide<L, Axisymmetric, with != With::nothing, with == With::eddy_and_force>(f, rule, around);
   Real chance = 0;
   if constexpr (P::fixed_point) chance = dither(row.first + std::uint32_t(x), row.step);
   core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
@@ -202,6 +202,7 @@ template <bool Axisymmetric, class Real, class L, class Stored, class Rule>
 void update_with(Fluid<Real, L, Stored> const& fluid, Rule const& rule)
 {
   if (fluid.force.extent(0) > 0) return update<Axisymmetric, With::eddy_and_force>(fluid, rule);
+  core::require(core::norm(fluid.model.body_force) == 0, "A body force needs use_force_field().");
   if (fluid.model.smagorinsky * fluid.model.smagorinsky > 0)
     return update<Axisymmetric, With::eddy>(fluid, rule);
   update<Axisymmetric, With::nothing>(fluid, rule);
