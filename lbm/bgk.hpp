@@ -13,9 +13,9 @@ struct Bgk {
   KOKKOS_FORCEINLINE_FUNCTION Real shear_rate() const { return omega; }
   KOKKOS_FORCEINLINE_FUNCTION Real bulk_rate(Real shear) const { return shear; }
 
-  template <Lattice L>
+  template <Lattice L, class Site>
   KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<L, Real> const& in, Moments<L, Real>& out,
-                                          Site<Real, L::D> const& site) const
+                                          Site const& site) const
   {
     relax_higher(in, out, site, site.shear, site.shear);
   }

@@ -21,9 +21,9 @@ struct CentralMoment {
   KOKKOS_FORCEINLINE_FUNCTION Real shear_rate() const { return omega; }
   KOKKOS_FORCEINLINE_FUNCTION Real bulk_rate(Real) const { return 1; }
 
-  template <Lattice L>
+  template <Lattice L, class Site>
   KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<L, Real> const&, Moments<L, Real>& out,
-                                          Site<Real, L::D> const&) const
+                                          Site const&) const
   {
     if constexpr (L::D == 3) return close_by_hermite(out);
     auto const u = velocity(out);
@@ -31,7 +31,7 @@ struct CentralMoment {
     core::static_for<L::Q - second_order_end<L>>([&](auto h) __attribute__((always_inline)) {
       constexpr int e = second_order_end<L> + h;
       k.m[e] = Real(rest_moment<L>(L::powers(e))) * out.rho();
-      out.m[e] = shifted<L, e, EvenOrders>(k, u);
+      out.m[e] = raised<L, e>(out, k, u);
     });
   }
 };

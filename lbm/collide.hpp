@@ -32,9 +32,10 @@ struct Surroundings {
 /// 2 mu u_y / y. Splitting of geometric sources after Hajabdollahi &
 /// Premnath (arXiv:1806.10241); the link weights, which make it conservative, are velum's own.
 ///
-/// @tparam Eddy  whether Smagorinsky's model may act; without it the constant is not looked at
+/// @tparam Eddy    whether Smagorinsky's model may act; without it the constant is not looked at
+/// @tparam Forced  whether a force may act; without it the force is not looked at
 /// @param f      populations less w before, and after, collision
-template <Lattice L, bool Axisymmetric, bool Eddy, class Real, class Rule>
+template <Lattice L, bool Axisymmetric, bool Eddy, bool Forced = true, class Real, class Rule>
 KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
                                          Surroundings<Real, L::D> const& around)
 {
@@ -42,9 +43,11 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
   Moments<L, Real> const in = moments<L>(f);
   Moments<L, Real> out;
   Real const third = Real(1) / 3, inv_y = around.inv_y;
-  auto const& F = around.force;
+  core::Vec<Real, D> F{};
+  if constexpr (Forced) F = around.force;
 
-  Site<Real, D> s{in.rho(), {}, F, 0, rule.shear_rate()};
+  constexpr bool sources = Forced || Axisymmetric;
+  Site<Real, D, sources> s{in.rho(), {}, F, 0, rule.shear_rate()};
   Real n = 1 + s.rho;
   Real const volume = 1 / n;
   core::static_for<D>([&](auto a) __attribute__((always_inline)) {
@@ -66,19 +69,20 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
       core::static_for<a + 1>([&](auto b) __attribute__((always_inline)) {
         constexpr int ab = second_moment<L>(a, b);
         Real const uu = s.u[a] * s.u[b];
-        Real const source = s.u[a] * s.S[b] + s.u[b] * s.S[a] - uu * s.Q;
-        mean[ab] = s.shear / 2 * n * uu + (1 - s.shear / 2) * (in.m[ab] + source / 2);
+        Real unrelaxed = in.m[ab];
+        if constexpr (sources) unrelaxed += (s.u[a] * s.S[b] + s.u[b] * s.S[a] - uu * s.Q) / 2;
+        mean[ab] = s.shear / 2 * n * uu + (1 - s.shear / 2) * unrelaxed;
         if constexpr (a == b) {
           in_trace += in.m[ab];
           trace += mean[ab];
           u2 += uu;
-          uS += s.u[a] * s.S[a];
+          if constexpr (sources) uS += s.u[a] * s.S[a];
         }
       });
     });
     Real const T_eq = D * third * s.rho + n * u2 + T_viscous;
-    Real const s_T = 2 * (1 + off_axis) * third * s.Q + 2 * uS - u2 * s.Q;
-    Real const T = bulk / 2 * T_eq + (1 - bulk / 2) * (in_trace + s_T / 2);
+    if constexpr (sources) in_trace += (2 * (1 + off_axis) * third * s.Q + 2 * uS - u2 * s.Q) / 2;
+    Real const T = bulk / 2 * T_eq + (1 - bulk / 2) * in_trace;
     Real const share = (Real(1) / D) * (T - trace);
     core::static_for<D>([&](auto a) __attribute__((always_inline)) {
       constexpr int aa = second_moment<L>(a, a);

@@ -31,10 +31,9 @@ struct Cumulant {
     return rate + (1 - rate) * size / (size + limit * rho);
   }
 
-  template <class L>
+  template <class L, class Site>
   requires(L::Q == 27) KOKKOS_FORCEINLINE_FUNCTION
-      void higher(Moments<L, Real> const& in, Moments<L, Real>& out,
-                  Site<Real, 3> const& site) const
+      void higher(Moments<L, Real> const& in, Moments<L, Real>& out, Site const& site) const
   {
     Real const w = site.shear, n = 1 + out.rho(), v = 1 / n;
 

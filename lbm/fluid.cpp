@@ -50,6 +50,7 @@ Fluid<Real, L, Stored> make_fluid(int nx, int ny, core::Vec<double, L::D> origin
       });
   fluid.active = CellMask("active", cells);
   if (model.smagorinsky > 0) use_eddy_share(fluid);
+  if (core::norm(model.body_force) > 0) use_force_field(fluid);
   mark(fluid, std::vector<std::uint8_t>(static_cast<std::size_t>(fluid.cells()), 1));
   return fluid;
 }

@@ -68,7 +68,7 @@ struct Fluid {
   CellMask active;  // not 0 where there is fluid: its side of a body
   Spans spans;      // the runs of fluid along x; mark() keeps them in step with active
   Kokkos::View<Real**, Kokkos::LayoutRight> force;  // per volume [D][cells]; empty unless a body
-                                                    // spreads force
+                                                    // spreads force, or a body force acts
   Kokkos::View<Real*> eddy_share;  // factor on C^2 [cells]; empty where no eddy viscosity acts
 
   /// Whether the first row lies on the axis of revolution.

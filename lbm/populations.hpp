@@ -8,6 +8,15 @@
 
 namespace velum::lbm {
 
+/// A number from -1/2 to 1/2 by chance, of a cell in a step.
+KOKKOS_FORCEINLINE_FUNCTION float dither(std::uint32_t cell, std::uint32_t step)
+{
+  std::uint32_t h = cell ^ (step * 0x9e3779b9u);
+  h = (h ^ (h >> 16)) * 0x85ebca6bu;
+  h = (h ^ (h >> 13)) * 0xc2b2ae35u;
+  return float(std::int32_t(h ^ (h >> 16))) * 0x1p-32f;
+}
+
 /// Populations less their rest values, f_i - w_i, of all cells, stored once and streamed in place
 /// (the AA pattern of Bailey, Myre, Walsh, Lilja & Saar, ICPP 2009, doi:10.1109/ICPP.2009.38).
 ///
@@ -18,7 +27,10 @@ namespace velum::lbm {
 /// it into the very same slots, so no cell touches another's and one copy is enough. Who goes
 /// through outgoing() and arriving() need not know which it is.
 ///
-/// 16-bit storage holds  (f_i - w_i) / (w_i range)  as a fixed-point number in [-1, 1].
+/// 16-bit storage holds  (f_i - w_i) / (w_i range)  as a fixed-point number in [-1, 1]. What a
+/// collision leaves is rounded up or down at random, with the odds that make the mean right: a
+/// force or a stress that changes a population by less than half a unit a step would have no effect
+/// if it were always rounded to the nearest.
 /// @tparam Real    in registers
 /// @tparam Stored  in memory: Real, or std::int16_t
 template <class Real, class L, class Stored>
@@ -26,7 +38,8 @@ struct Populations {
   Kokkos::View<Stored**, Kokkos::LayoutRight> slots;  // [Q][cells]
   int pitch = 0, plane = 0;  // cells from a row to the next, from a plane to the next
   bool turned = false;
-  float range = 1;  // of 16-bit storage
+  std::uint32_t step = 0;  // number of the coming step
+  float range = 1;         // of 16-bit storage
 
   static constexpr bool fixed_point = std::is_integral_v<Stored>;
   static constexpr std::int32_t largest = 32767;
@@ -76,13 +89,15 @@ struct Populations {
     if constexpr (fixed_point) return scale * Real(std::int32_t(s));
     return Real(s);
   }
-  KOKKOS_FORCEINLINE_FUNCTION static Stored to_stored(Real value, Real inverse_scale)
+  /// @param dither  of this cell in this step; none rounds to the nearest
+  KOKKOS_FORCEINLINE_FUNCTION static Stored to_stored(Real value, Real inverse_scale,
+                                                      Real dither = 0)
   {
     if constexpr (fixed_point) {
       // The sum with 3/2 2^23 is the nearest whole number in its low bits, and what is too large
       // for it, or no number, is out of range there too: the guard finds what reaches the limit.
       constexpr Real shift = 3 << 22;
-      auto const bits = __builtin_bit_cast(std::uint32_t, value * inverse_scale + shift) -
+      auto const bits = __builtin_bit_cast(std::uint32_t, value * inverse_scale + dither + shift) -
                         __builtin_bit_cast(std::uint32_t, shift);
       auto const n = std::int32_t(bits);
       std::int32_t const low = n < largest ? n : largest;

@@ -15,9 +15,9 @@ struct RecursiveRegularised {
   KOKKOS_FORCEINLINE_FUNCTION Real shear_rate() const { return omega; }
   KOKKOS_FORCEINLINE_FUNCTION Real bulk_rate(Real shear) const { return shear; }
 
-  template <Lattice L>
+  template <Lattice L, class Site>
   KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<L, Real> const&, Moments<L, Real>& out,
-                                          Site<Real, L::D> const&) const
+                                          Site const&) const
   {
     close_by_hermite(out);
   }

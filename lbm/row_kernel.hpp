@@ -33,8 +33,10 @@ struct Row {
   Real unpack[L::Q], pack[L::Q];  // of 16-bit storage
   Real const* force[L::D];
   Real const* eddy;
+  std::uint32_t first, step;  // number of the first cell, of the step
 
   KOKKOS_FORCEINLINE_FUNCTION Row(Fluid<Real, L, Stored> const& fluid, int cell)
+      : first(std::uint32_t(cell)), step(fluid.f.step)
   {
     auto const& f = fluid.f;
     core::static_for<L::Q>([&](auto direction) __attribute__((always_inline)) {
@@ -51,6 +53,7 @@ struct Row {
   /// The same cells from number `from` on, their populations in a buffer.
   template <int cells>
   Row(Row<Real, L, std::int16_t, with> const& packed, int from, Real (&buffer)[L::Q][cells])
+      : first(packed.first + std::uint32_t(from)), step(packed.step)
   {
     core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
       slot[i] = buffer[i];
@@ -76,9 +79,11 @@ KOKKOS_FORCEINLINE_FUNCTION void update_cell(Row<Real, L, Stored, with> const& r
       around.force[a] += row.force[a][x];
     });
   if constexpr (with != With::nothing) around.smagorinsky_squared *= row.eddy[x];
-  collide<L, Axisymmetric, with != With::nothing>(f, rule, around);
+  collide<L, Axisymmetric, with != With::nothing, with == With::eddy_and_force>(f, rule, around);
+  Real chance = 0;
+  if constexpr (P::fixed_point) chance = dither(row.first + std::uint32_t(x), row.step);
   core::static_for<L::Q>([&](auto i) __attribute__((always_inline)) {
-    row.slot[L::opposite(i)][x] = P::to_stored(f[i], row.pack[i]);
+    row.slot[L::opposite(i)][x] = P::to_stored(f[i], row.pack[i], chance);
   });
 }
 
@@ -118,7 +123,7 @@ template <bool Axisymmetric, With with, class Real, class L, class Rule>
 {
   using P = Populations<Real, L, std::int16_t>;
   constexpr int most = 4 * vector_cells;
-  alignas(64) Real buffer[L::Q][most];
+  alignas(64) Real buffer[L::Q][most], chance[most];
   for (int from = 0; from < length; from += most) {
     int const cells = length - from < most ? length - from : most;
     for (int i = 0; i < L::Q; ++i) {
@@ -128,10 +133,12 @@ template <bool Axisymmetric, With with, class Real, class L, class Rule>
     }
     Row<Real, L, Real, with> const unpacked(row, from, buffer);
     update_span<Axisymmetric, with, Real, L, Real>(unpacked, cells, false, rule, around);
+    for (int x = 0; x < cells; ++x)
+      chance[x] = dither(row.first + std::uint32_t(from + x), row.step);
     for (int i = 0; i < L::Q; ++i) {
       std::int16_t* const slot = row.slot[i] + from;
       Real const scale = row.pack[i];
-      for (int x = 0; x < cells; ++x) slot[x] = P::to_stored(buffer[i][x], scale);
+      for (int x = 0; x < cells; ++x) slot[x] = P::to_stored(buffer[i][x], scale, chance[x]);
       if (ahead)
         for (int x = 0; x < cells; x += 32)
           __builtin_prefetch(slot + x + prefetch_ahead / int(sizeof(*slot)), 1, 3);
@@ -195,6 +202,7 @@ template <bool Axisymmetric, class Real, class L, class Stored, class Rule>
 void update_with(Fluid<Real, L, Stored> const& fluid, Rule const& rule)
 {
   if (fluid.force.extent(0) > 0) return update<Axisymmetric, With::eddy_and_force>(fluid, rule);
+  core::require(core::norm(fluid.model.body_force) == 0, "A body force needs use_force_field().");
   if (fluid.model.smagorinsky * fluid.model.smagorinsky > 0)
     return update<Axisymmetric, With::eddy>(fluid, rule);
   update<Axisymmetric, With::nothing>(fluid, rule);
@@ -235,6 +243,7 @@ void stream_and_collide(Fluid<Real, L, Stored>& fluid)
       break;
   }
   fluid.f.turned = !fluid.f.turned;
+  ++fluid.f.step;
 }
 
 }  // namespace velum::lbm

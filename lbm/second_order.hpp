@@ -9,9 +9,9 @@ namespace velum::lbm {
 /// Phys. Rev. E 65 (2002) 046308, doi:10.1103/PhysRevE.65.046308). The equilibrium of powers e is
 ///   rho M_e + 3 j_a M_(e+a) + 9/2 rho u_a u_b M_(e+a+b) - 3/2 rho u^2 M_e,
 /// M the moments of the weights; less M_e, for moments are deviations.
-template <Lattice L, class Real>
+template <Lattice L, class Real, class Site>
 KOKKOS_FORCEINLINE_FUNCTION void relax_higher(Moments<L, Real> const& in, Moments<L, Real>& out,
-                                              Site<Real, L::D> const& s, Real odd, Real even)
+                                              Site const& s, Real odd, Real even)
 {
   Real const n = 1 + s.rho;
   core::static_for<L::Q - second_order_end<L>>([&](auto h) __attribute__((always_inline)) {
@@ -44,7 +44,8 @@ KOKKOS_FORCEINLINE_FUNCTION void relax_higher(Moments<L, Real> const& in, Moment
         });
       });
     }
-    out.m[k] = in.m[k] + rate * (equilibrium - in.m[k]) + (1 - rate / 2) * source;
+    out.m[k] = in.m[k] + rate * (equilibrium - in.m[k]);
+    if constexpr (Site::has_sources) out.m[k] += (1 - rate / 2) * source;
   });
 }
 

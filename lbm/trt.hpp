@@ -16,9 +16,9 @@ struct Trt {
   KOKKOS_FORCEINLINE_FUNCTION Real shear_rate() const { return omega; }
   KOKKOS_FORCEINLINE_FUNCTION Real bulk_rate(Real shear) const { return shear; }
 
-  template <Lattice L>
+  template <Lattice L, class Site>
   KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<L, Real> const& in, Moments<L, Real>& out,
-                                          Site<Real, L::D> const& site) const
+                                          Site const& site) const
   {
     Real const odd = 1 / (magic / (1 / site.shear - Real(0.5)) + Real(0.5));
     relax_higher(in, out, site, odd, site.shear);

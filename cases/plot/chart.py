@@ -61,7 +61,9 @@ def draw_chart(rows: list[dict[str, str]], picture: Path) -> None:
     scenes = list(dict.fromkeys(row["scene"] for row in rows))
     columns = min(3, len(scenes))
     lines = -(-len(scenes) // columns)
-    legend = 0.55 if columns > 1 else 0.9
+    entries = len({(row["collision"], row["precision"]) for row in rows}) + 2  # front, default
+    abreast = 4 if columns > 1 else 2
+    legend = 0.17 * -(-entries // abreast) + 0.1
     height = 3.2 * lines + legend
     figure, panels = plt.subplots(lines, columns, figsize=(3.6 * columns + 0.6, height),
                                   squeeze=False)
@@ -71,8 +73,7 @@ def draw_chart(rows: list[dict[str, str]], picture: Path) -> None:
     for axes, scene in zip(panels.flat, scenes):
         draw_panel(axes, scene, [row for row in rows if row["scene"] == scene], colours)
         labels |= {label: handle for handle, label in zip(*axes.get_legend_handles_labels())}
-    figure.legend(labels.values(), labels.keys(), loc="lower center", ncol=4 if columns > 1 else 2,
-                  fontsize=8)
+    figure.legend(labels.values(), labels.keys(), loc="lower center", ncol=abreast, fontsize=8)
     figure.tight_layout(rect=(0, legend / height, 1, 1))
     save(figure, picture)
 
