@@ -2,6 +2,8 @@
 
 #include "core/check.hpp"
 
+#include <fmt/format.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
@@ -10,12 +12,33 @@
 #include <utility>
 
 namespace velum::core {
+namespace {
+
+/// Says of a warning, and of what is worse, what it is; says nothing of all else.
+class Warning : public spdlog::custom_flag_formatter {
+ public:
+  void format(spdlog::details::log_msg const& message, std::tm const&,
+              spdlog::memory_buf_t& to) override
+  {
+    if (message.level < spdlog::level::warn) return;
+    std::string const word = fmt::format("{}: ", spdlog::level::to_string_view(message.level));
+    to.append(word.data(), word.data() + word.size());
+  }
+  std::unique_ptr<spdlog::custom_flag_formatter> clone() const override
+  {
+    return std::make_unique<Warning>();
+  }
+};
+
+}  // namespace
 
 void start_log(std::filesystem::path const& folder, Console console)
 {
   auto const file_name = folder / "log.txt";
   auto to_console = std::make_shared<spdlog::sinks::stdout_sink_mt>();
-  to_console->set_pattern("%v");
+  auto words = std::make_unique<spdlog::pattern_formatter>();
+  words->add_flag<Warning>('*').set_pattern("%*%v");
+  to_console->set_formatter(std::move(words));
   to_console->set_level(console == Console::quiet ? spdlog::level::warn : spdlog::level::trace);
 
   std::shared_ptr<spdlog::sinks::basic_file_sink_mt> to_file;

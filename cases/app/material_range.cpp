@@ -53,8 +53,8 @@ void note_stretch(StretchRecord& record, structure::Membrane const& membrane,
       record.stable = false;
   }
   if (outside(before, material).empty() && !outside(record, material).empty())
-    spdlog::warn("warning: {}.", outside(record, material));
-  if (before.stable && !record.stable) spdlog::warn("warning: {}.", unstable(material));
+    spdlog::warn("{}.", outside(record, material));
+  if (before.stable && !record.stable) spdlog::warn("{}.", unstable(material));
 }
 
 std::string material_in_words(Material const& material)

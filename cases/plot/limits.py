@@ -43,6 +43,7 @@ def draw_mach(axes, rows: list[dict[str, str]], colours: dict[str, str]) -> None
             continue
         axes.bar(place, mach, color=colours[row["collision"]] if off else "white",
                  edgecolor=colours[row["collision"]], hatch="" if off else "///")
+    axes.set_xlim(-0.7, len(rows) - 0.3)
     axes.set_xticks([])
     axes.grid(axis="x", visible=False)
     axes.set_ylabel("largest stable Mach number")

@@ -27,7 +27,8 @@ TEST(Log, file_gets_everything_and_a_quiet_console_the_warnings)
   Scratch const scratch("log");
   for (Console const console : {Console::normal, Console::quiet}) {
     EXPECT_EQ(console_output(scratch.folder, console),
-              console == Console::quiet ? "it is short\n" : "the step is 1e-07 s\nit is short\n");
+              console == Console::quiet ? "warning: it is short\n"
+                                        : "the step is 1e-07 s\nwarning: it is short\n");
     auto const text = text_of(scratch.folder / "log.txt");
     EXPECT_NE(text.find("info: the step is 1e-07 s\n"), std::string::npos) << text;
     EXPECT_NE(text.find("warning: it is short\n"), std::string::npos) << text;
