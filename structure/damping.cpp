@@ -38,10 +38,7 @@ Eigen::SparseMatrix<double> damping_stiffness(Sheet const& s, Eigen::VectorXd co
   Triplets entries;
   for (int e = 0; e < element_count(s); ++e) {
     Matrix9 const k = non_negative<9>(element_tangent(triangle_element(s, x, e)));
-    auto const& t = s.triangles[static_cast<std::size_t>(e)];
-    for (int i = 0; i < 9; ++i)
-      for (int j = 0; j < 9; ++j)
-        entries.emplace_back(3 * t[i / 3] + i % 3, 3 * t[j / 3] + j % 3, k(i, j));
+    add_block(entries, s.triangles[static_cast<std::size_t>(e)], k);
   }
   Eigen::SparseMatrix<double> K0(s.reference.size(), s.reference.size());
   K0.setFromTriplets(entries.begin(), entries.end());

@@ -1,10 +1,9 @@
 #include "structure/implicit_step.hpp"
 
 #include "core/check.hpp"
-#include "structure/internal_force.hpp"
 #include "structure/mass.hpp"
 #include "structure/restrained.hpp"
-#include "structure/sheet_force.hpp"
+#include "structure/total_stiffness.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/SparseLU>
@@ -70,11 +69,7 @@ Eigen::SparseMatrix<double> jacobian(ImplicitStepper const& s, Body const& m,
                                      Eigen::VectorXd const& xf, double dt, Weights const& w,
                                      std::span<Load const> loads)
 {
-  Triplets entries;
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(xf.size());
-  for (auto const& load : loads) load(xf, unused, &entries);
-  for (auto& t : entries) t = {t.row(), t.col(), -t.value()};
-  add_stiffness(m, xf, entries);
+  Triplets entries = total_stiffness(m, xf, loads);
   for (auto& t : entries) t = {t.row(), t.col(), (1 - w.alpha_f) * t.value()};
   double const c = (1 - w.alpha_f) * w.gamma / (w.beta * dt);
   double const inertia = (1 - w.alpha_m) / (w.beta * dt * dt) + c * s.damping.alpha;

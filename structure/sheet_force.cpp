@@ -43,10 +43,7 @@ void add_stiffness(Sheet const& s, Eigen::VectorXd const& x, Triplets& stiffness
 {
   for (int e = 0; e < element_count(s); ++e) {
     Matrix9 const K = element_tangent(triangle_element(s, x, e));
-    auto const& t = s.triangles[static_cast<std::size_t>(e)];
-    for (int i = 0; i < 9; ++i)
-      for (int j = 0; j < 9; ++j)
-        stiffness.emplace_back(3 * t[i / 3] + i % 3, 3 * t[j / 3] + j % 3, K(i, j));
+    add_block(stiffness, s.triangles[static_cast<std::size_t>(e)], K);
   }
 }
 

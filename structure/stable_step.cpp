@@ -1,7 +1,7 @@
 #include "structure/stable_step.hpp"
 
 #include "structure/line_element.hpp"
-#include "structure/sheet_force.hpp"
+#include "structure/total_stiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +42,7 @@ double stable_step(Membrane const& m, Eigen::VectorXd const& mass, Eigen::Vector
 double stable_step(Sheet const& s, Eigen::VectorXd const& mass, Eigen::VectorXd const& x,
                    std::span<Load const> loads)
 {
-  Triplets entries;
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(x.size());
-  for (auto const& load : loads) load(x, unused, &entries);
-  for (auto& t : entries) t = {t.row(), t.col(), -t.value()};
-  add_stiffness(s, x, entries);
+  Triplets const entries = total_stiffness(s, x, loads);
   Eigen::SparseMatrix<double> K(x.size(), x.size());
   K.setFromTriplets(entries.begin(), entries.end());
   double omega2 = 0;

@@ -1,10 +1,9 @@
 #include "structure/static_solve.hpp"
 
 #include "core/check.hpp"
-#include "structure/internal_force.hpp"
 #include "structure/mass.hpp"
 #include "structure/restrained.hpp"
-#include "structure/sheet_force.hpp"
+#include "structure/total_stiffness.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/SparseCholesky>
@@ -41,12 +40,7 @@ Balance balance(Body const& m, std::span<Load const> loads, double share)
 template <class Body>
 Matrix tangent(Body const& m, std::span<Load const> loads, double share)
 {
-  Triplets entries;
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(m.position.size());
-  for (auto const& load : loads) load(m.position, unused, &entries);
-  for (auto& t : entries) t = {t.row(), t.col(), -share * t.value()};
-  add_stiffness(m, m.position, entries);
-  return restrained(entries, m.fixed);
+  return restrained(total_stiffness(m, m.position, loads, share), m.fixed);
 }
 
 /// Factors of a matrix: of its symmetric part, which tell whether it is definite, and which solve

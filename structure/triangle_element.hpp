@@ -1,4 +1,5 @@
 #pragma once
+#include "structure/load.hpp"
 #include "structure/plane_stress.hpp"
 #include "structure/sheet.hpp"
 
@@ -87,6 +88,14 @@ inline Matrix9 element_tangent(TriangleElement const& k)
       K.block<3, 3>(3 * a, 3 * b).diagonal().array() += stress;
     }
   return k.volume * K;
+}
+
+/// Adds the matrix of a triangle's nine coordinates to that of all.
+inline void add_block(Triplets& entries, Triangle const& t, Matrix9 const& k)
+{
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j)
+      entries.emplace_back(3 * t[i / 3] + i % 3, 3 * t[j / 3] + j % 3, k(i, j));
 }
 
 /// Principal stretches in the plane of the element, the larger first.

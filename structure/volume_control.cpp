@@ -1,11 +1,10 @@
 #include "structure/volume_control.hpp"
 
 #include "core/check.hpp"
-#include "structure/internal_force.hpp"
 #include "structure/pressure_load.hpp"
 #include "structure/restrained.hpp"
-#include "structure/sheet_force.hpp"
 #include "structure/sheet_pressure.hpp"
+#include "structure/total_stiffness.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/SparseLU>
@@ -45,11 +44,7 @@ template <class Body>
 Eigen::VectorXd correction(Body const& body, Inflation const& by, double pressure, Balance const& b)
 {
   int const n = static_cast<int>(body.position.size());
-  Triplets entries;
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(n);
-  by.unit_pressure(body.position, unused, &entries);
-  for (auto& t : entries) t = {t.row(), t.col(), -pressure * t.value()};
-  add_stiffness(body, body.position, entries);
+  Triplets entries = total_stiffness(body, body.position, {&by.unit_pressure, 1}, pressure);
   auto fixed = body.fixed;
   fixed.push_back(0);
   for (int i = 0; i < n; ++i)

@@ -13,4 +13,12 @@ inline std::string csv_cell(std::string const& text)
   return quoted + '"';
 }
 
+/// A cell as it was read, without the blanks around it.
+inline std::string trimmed(std::string const& text)
+{
+  auto const first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
 }  // namespace velum::cases

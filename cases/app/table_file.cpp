@@ -1,5 +1,6 @@
 #include "cases/app/table_file.hpp"
 
+#include "cases/app/csv_text.hpp"
 #include "core/check.hpp"
 
 #include <fmt/format.h>
@@ -12,13 +13,6 @@
 
 namespace velum::cases {
 namespace {
-
-std::string trimmed(std::string const& text)
-{
-  auto const first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<std::string> cells(std::string const& line)
 {

@@ -1,5 +1,6 @@
 #include "cases/app/test_columns.hpp"
 
+#include "cases/app/csv_text.hpp"
 #include "cases/app/scene_text.hpp"
 #include "core/check.hpp"
 
@@ -10,13 +11,6 @@
 
 namespace velum::cases {
 namespace {
-
-std::string trimmed(std::string const& text)
-{
-  auto const first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::map<std::string, std::string> read_remarks(std::filesystem::path const& path)
 {

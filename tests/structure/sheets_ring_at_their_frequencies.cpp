@@ -19,8 +19,8 @@
 #include "structure/implicit_step.hpp"
 #include "structure/restrained.hpp"
 #include "structure/sheet_bending.hpp"
-#include "structure/sheet_force.hpp"
 #include "structure/sheet_mesh.hpp"
+#include "structure/total_stiffness.hpp"
 #include "tests/support/order.hpp"
 
 namespace velum::structure {
@@ -44,12 +44,7 @@ struct Mode {
 /// Inverse iteration.
 Mode lowest_mode(Sheet const& s, std::span<Load const> loads)
 {
-  Triplets entries;
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(s.position.size());
-  for (auto const& load : loads) load(s.position, unused, &entries);
-  for (auto& t : entries) t = {t.row(), t.col(), -t.value()};
-  add_stiffness(s, s.position, entries);
-  auto const K = restrained(entries, s.fixed);
+  auto const K = restrained(total_stiffness(s, s.position, loads), s.fixed);
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> const ldlt(K);
   Eigen::VectorXd const nodal = lumped_mass(s);
   Eigen::VectorXd mass(s.position.size()), x(s.position.size());

@@ -83,6 +83,15 @@ TEST(Triangles, pass_the_patch_test)
   }
 }
 
+TEST(Triangles, have_a_consistent_mass_whose_rows_sum_up_to_the_lumped)
+{
+  Sheet const s = uneven_sheet();
+  Eigen::VectorXd rows = Eigen::VectorXd::Zero(3 * node_count(s));
+  for (auto const& entry : consistent_mass(s)) rows[entry.row()] += entry.value();
+  Eigen::VectorXd const lumped = lumped_mass(s);
+  for (int i = 0; i < rows.size(); ++i) EXPECT_NEAR(rows[i] / lumped[i / 3], 1, 1e-13) << i;
+}
+
 TEST(Triangles, feel_no_rigid_motion)
 {
   Sheet const s = uneven_sheet();
