@@ -160,8 +160,8 @@ struct Layer {
     for (int a = 0; a < L::D; ++a) source_at[a] = a == axis ? beyond.at : p.c[a] - L::c(d, a);
     int const cell = fluid.cell(p.c[0], p.c[1], p.c[2]);
     int const left = fluid.cell(source_at[0], source_at[1], source_at[2]);
-    return {f.turned ? &f.slots(L::opposite(d), cell - f.shift(d)) : &f.slots(d, cell),
-            f.turned ? &f.slots(L::opposite(from), left) : &f.slots(from, left + f.shift(from)),
+    return {f.turned() ? &f.slots(L::opposite(d), cell - f.shift(d)) : &f.slots(d, cell),
+            f.turned() ? &f.slots(L::opposite(from), left) : &f.slots(from, left + f.shift(from)),
             axis == 0 ? f.pitch : 1};
   }
 };

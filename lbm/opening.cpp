@@ -50,10 +50,11 @@ struct Enters {
   }
 };
 
-/// Fluid leaves at velocity -U: the half-way rule for the cell's equilibrium, with the cell's own
-/// velocity along the opening. What goes past must be free to leave: held at zero there, or sent
-/// back with all its population, it grows at low viscosity between the opening and the cells
-/// before it.
+/// Fluid leaves at velocity -U: what comes back is the equilibrium of the cell with U for the part
+/// of its velocity through the opening. What goes past must be free to leave: held at zero there,
+/// or sent back with all its population, it grows at low viscosity between the opening and the
+/// cells before it; so do, in space, differences of the part through it when the half-way rule
+/// mirrors them about U.
 struct Leaves {
   core::Vec3 n;
   double U;
@@ -62,9 +63,9 @@ struct Leaves {
   KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l) const
   {
     auto const at = near(fluid, cell, n);
-    double const cn = along<L>(l.dir, n);
-    double const past = along<L>(l.dir, at.u) - at.inflow * cn;
-    return Real(equilibrium<L>(l.dir, at.rho, at.u) - 6 * L::w(l.dir) * (l.weight * U * cn + past));
+    auto u = at.u;
+    for (int a = 0; a < L::D; ++a) u[a] += (l.weight * U - at.inflow) * n[a];
+    return Real(equilibrium<L>(L::opposite(l.dir), at.rho, u));
   }
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <Kokkos_Core.hpp>
-#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -21,8 +20,8 @@ KOKKOS_FORCEINLINE_FUNCTION float dither(std::uint32_t cell, std::uint32_t step)
 /// (the AA pattern of Bailey, Myre, Walsh, Lilja & Saar, ICPP 2009, doi:10.1109/ICPP.2009.38).
 ///
 /// Between steps every population stands in the slot of a cell and a direction. After an even
-/// number of steps (turned = false) that of direction i on its way to cell c lies in slot (i, c):
-/// it has arrived. After an odd number (turned = true) it lies where its own cell left it, turned
+/// number of steps that of direction i on its way to cell c lies in slot (i, c):
+/// it has arrived. After an odd number (turned()) it lies where its own cell left it, turned
 /// round, in slot (opposite i, c - c_i). A step reads what arrives at a cell and writes what leaves
 /// it into the very same slots, so no cell touches another's and one copy is enough. Who goes
 /// through outgoing() and arriving() need not know which it is.
@@ -37,9 +36,10 @@ template <class Real, class L, class Stored>
 struct Populations {
   Kokkos::View<Stored**, Kokkos::LayoutRight> slots;  // [Q][cells]
   int pitch = 0, plane = 0;  // cells from a row to the next, from a plane to the next
-  bool turned = false;
-  std::uint32_t step = 0;  // number of the coming step
-  float range = 1;         // of 16-bit storage
+  std::uint32_t step = 0;    // number of the coming step
+  float range = 1;           // of 16-bit storage
+
+  KOKKOS_FORCEINLINE_FUNCTION bool turned() const { return step % 2 == 1; }
 
   static constexpr bool fixed_point = std::is_integral_v<Stored>;
   static constexpr std::int32_t largest = 32767;
@@ -63,20 +63,20 @@ struct Populations {
   /// Population that left the cell along dir in the last step.
   KOKKOS_FORCEINLINE_FUNCTION Real outgoing(int dir, int cell) const
   {
-    return turned ? load(L::opposite(dir), cell) : load(dir, cell + shift(dir));
+    return turned() ? load(L::opposite(dir), cell) : load(dir, cell + shift(dir));
   }
   KOKKOS_FORCEINLINE_FUNCTION void set_outgoing(int dir, int cell, Real value) const
   {
-    turned ? store(L::opposite(dir), cell, value) : store(dir, cell + shift(dir), value);
+    turned() ? store(L::opposite(dir), cell, value) : store(dir, cell + shift(dir), value);
   }
   /// Population that arrives at the cell along dir in the coming step.
   KOKKOS_FORCEINLINE_FUNCTION Real arriving(int dir, int cell) const
   {
-    return turned ? load(L::opposite(dir), cell - shift(dir)) : load(dir, cell);
+    return turned() ? load(L::opposite(dir), cell - shift(dir)) : load(dir, cell);
   }
   KOKKOS_FORCEINLINE_FUNCTION void set_arriving(int dir, int cell, Real value) const
   {
-    turned ? store(L::opposite(dir), cell - shift(dir), value) : store(dir, cell, value);
+    turned() ? store(L::opposite(dir), cell - shift(dir), value) : store(dir, cell, value);
   }
 
   /// Factor between a stored number and the population; 1 where they are the same.

@@ -41,7 +41,7 @@ struct Row {
     auto const& f = fluid.f;
     core::static_for<L::Q>([&](auto direction) __attribute__((always_inline)) {
       constexpr int i = direction, o = L::opposite(direction);
-      slot[i] = f.turned ? &f.slots(o, cell) - f.shift(i) : &f.slots(i, cell);
+      slot[i] = f.turned() ? &f.slots(o, cell) - f.shift(i) : &f.slots(i, cell);
       unpack[i] = f.unpack_scale(i);
       pack[i] = 1 / unpack[i];
     });
@@ -242,7 +242,6 @@ void stream_and_collide(Fluid<Real, L, Stored>& fluid)
       detail::update_rule(fluid, CentralMoment<Real>{omega});
       break;
   }
-  fluid.f.turned = !fluid.f.turned;
   ++fluid.f.step;
 }
 

@@ -32,7 +32,7 @@ struct VelocityRow {
   {
     auto const& f = fluid.f;
     for (int i = 0; i < L::Q; ++i) {
-      slot[i] = f.turned ? &f.slots(L::opposite(i), cell) : &f.slots(i, cell + f.shift(i));
+      slot[i] = f.turned() ? &f.slots(L::opposite(i), cell) : &f.slots(i, cell + f.shift(i));
       unpack[i] = f.unpack_scale(i);
     }
     for (int a = 0; a < L::D; ++a) {

@@ -178,11 +178,8 @@ Load bending_load(SheetBending const& bending)
       D << 1, 0.5, 0, 0.5, 1, 0, 0, 0, 0.25;
       Matrix18 K = b.stiffness * rates * D * rates.transpose();
       for (int c = 0; c < 3; ++c) K += m[c] * k[static_cast<std::size_t>(c)].hessian;
-      for (int i = 0; i < 18; ++i)
-        for (int j = 0; j < 18; ++j)
-          tangent->emplace_back(3 * b.nodes[static_cast<std::size_t>(i / 3)] + i % 3,
-                                3 * b.nodes[static_cast<std::size_t>(j / 3)] + j % 3,
-                                -b.area * K(i, j));
+      K *= -b.area;
+      add_block(*tangent, b.nodes, K);
     }
   };
 }

@@ -90,12 +90,14 @@ inline Matrix9 element_tangent(TriangleElement const& k)
   return k.volume * K;
 }
 
-/// Adds the matrix of a triangle's nine coordinates to that of all.
-inline void add_block(Triplets& entries, Triangle const& t, Matrix9 const& k)
+/// Adds the matrix of some nodes' coordinates to that of all.   k: [3n, 3n]
+template <std::size_t n, class Matrix>
+void add_block(Triplets& entries, std::array<int, n> const& nodes, Matrix const& k)
 {
-  for (int i = 0; i < 9; ++i)
-    for (int j = 0; j < 9; ++j)
-      entries.emplace_back(3 * t[i / 3] + i % 3, 3 * t[j / 3] + j % 3, k(i, j));
+  int const size = 3 * static_cast<int>(n);
+  auto const place = [&](int i) { return 3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3; };
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) entries.emplace_back(place(i), place(j), k(i, j));
 }
 
 /// Principal stretches in the plane of the element, the larger first.

@@ -3,8 +3,7 @@
 // measure:    tangent against differences over its largest entry; force against -dE/dX
 // tolerance:  1e-5
 // why:        the curvature comes from normals 1e-4 apart, where it is constant; steps of 1e-6
-// leave
-//             1e-9 of round-off; a missing curvature term would show as 1e-1
+//             leave 1e-9 of round-off; a missing curvature term would show as 1e-1
 #include "contact/contact.hpp"
 
 #include <gtest/gtest.h>

@@ -7,9 +7,8 @@
 //            penetration over 1/k; gap and traction x gap; balance along the axis
 // tolerance: 1 % (the issue's); slope 1 +- 0.05; gap above -1e-10 m; 1e-6
 // why:       the ring touches along one circle of nodes: what is off is the membrane's
-// discretisation
-//            and the place of the contact within half an element; equilibrium holds to what the
-//            solver leaves
+//            discretisation and the place of the contact within half an element; equilibrium holds
+//            to what the solver leaves
 #include <gtest/gtest.h>
 
 #include <array>

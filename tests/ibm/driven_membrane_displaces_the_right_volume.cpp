@@ -1,16 +1,13 @@
 // problem:   a membrane driven at a prescribed speed U across 20 rows of cells pushes fluid out of
-// a
-//            box with one open side; flat, tilted, and clamped at its rim, planar and axisymmetric,
-//            thick and (almost) without thickness
+//            a box with one open side; flat, tilted, and clamped at its rim, planar and
+//            axisymmetric, thick and (almost) without thickness
 // reference: the volume swept, change of the volume below the minus face
 // measure:   volume through the opening between two crossings of the same place in a cell, less
-// what
-//            the fluid stored; relative error
+//            what the fluid stored; relative error
 // tolerance: 0.6 %
 // why:       the interpolated bounce-back does not conserve mass exactly where it moves; the trial
-// of
-//            the method showed 0.6 %. A coupling coefficient wrong by 2 displaces twice the volume,
-//            and no static test notices
+//            of the method showed 0.6 %. A coupling coefficient wrong by 2 displaces twice the
+//            volume, and no static test notices
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,7 +75,9 @@ TEST(DrivenMembrane, ClampedDisplacesTheRightVolume)
     for (double h : {4.0, 0.01}) {
       auto spec = box(symmetry, h);
       spec.ny = 100;
-      EXPECT_NEAR(displaced_over_swept(spec, 0.005, tests::clamped_speed(symmetry, spec.ny)), 1, 0.006) << int(symmetry) << " h " << h;
+      EXPECT_NEAR(displaced_over_swept(spec, 0.005, tests::clamped_speed(symmetry, spec.ny)), 1,
+                  0.006)
+          << int(symmetry) << " h " << h;
     }
 }
 

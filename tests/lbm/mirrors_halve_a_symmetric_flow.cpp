@@ -1,12 +1,11 @@
 // problem:   a ball in a duct, flow across it from a velocity inlet to an outflow, the ball's
-// centre
-//            on one side of the box that is a plane of symmetry: across each axis, at its lower and
-//            upper end, and across two axes at once. In space, D3Q19 and D3Q27
+//            centre on one side of the box that is a plane of symmetry: across each axis, at its
+//            lower and upper end, and across two axes at once. In space, D3Q19 and D3Q27
 // reference: the whole flow, without the plane, in the box and its image
 // measure:   density and velocity of every cell, force on the walls, mass through the openings
 // tolerance: 1e-12 of quantities of 0.01 to 0.1, over 60 steps
-// why:       the mirror hands back what its image would have sent, so all that differs is the order
-//            of sums, some 1e-16 a step
+// why:       the mirror hands back what its image would have sent, so all that differs is the
+//            order of sums, some 1e-16 a step
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,10 +1,9 @@
 // problem:   decaying shear wave with velocity along the last direction of the lattice and wave
-//            vector along x, at rest and carried by a mean flow U along x, in a periodic strip of n
-//            cells; each lattice, collision and precision
+//            vector along x, at rest and carried by a mean flow U along x, in a periodic strip of
+//            n cells; each lattice, collision and precision
 // reference: amplitude ~ exp(-nu k^2 t), phase k U t
 // measure:   complex amplitude of the first Fourier mode: viscosity from its modulus, speed from
-// its
-//            phase; their errors over n = 16, 32, 64 (time scaled with n^2, U with 1/n)
+//            its phase; their errors over n = 16, 32, 64 (time scaled with n^2, U with 1/n)
 // tolerance: order 2 or better: above 1.8 on the finest pair of double precision; viscosity within
 //            1 % and carrier within 0.5 % at n = 64 in every precision
 // why:       the scheme is second order in this scaling; cumulants with parametrised rates are of

@@ -1,17 +1,16 @@
 // problem:   linear flows u = G^T x in a box of walls, 8 cells a side, of a density that varies
-// from
-//            cell to cell: a y, b z, c x along x, y, z; strain; strain and rotation; a full
+//            from cell to cell: a y, b z, c x along x, y, z; strain; strain and rotation; a full
 //            gradient; after an even and an odd number of steps; plane shear along every pair of
 //            axes; a solid cell and a body's two sides in the box; a rotation with hardly any
 //            strain; an arbitrary flow that mirrors and an axis bound. Each lattice and precision
-// reference: Vreman's formula in the form of his paper (Phys. Fluids 16 (2004) 3670), from the
-//            3 x 3 tensor, out of plane zero; zero in plane shear and beside what is no fluid; the
+// reference: Vreman's formula in the form of his paper (Phys. Fluids 16 (2004) 3670), from the 3 x
+//            3 tensor, out of plane zero; zero in plane shear and beside what is no fluid; the
 //            same flow in a periodic box of twice the size, begun at two places, so that each of
 //            the planes lies once amid the cells
-// measure:   nu_t = factor C^2 |S|, |S| of the deviator, which is what the step makes of the factor
+// measure:   nu_t = factor C^2 |S|, |S| of the deviator, which is what the step makes of the
+//            factor
 // tolerance: nu_t: 4 times the rounding of a population over |G|, and 1e-6, of C_V |G|; images:
-// 1e-5
-//            in double, 1e-3 in single and 16-bit storage; zeros: bitwise
+//            1e-5 in double, 1e-3 in single and 16-bit storage; zeros: bitwise
 // why:       differences of a linear flow are exact, so what is left is rounding: of the factor,
 //            kept in single precision, and of populations, whose sum a gradient divides by |G|;
 //            ratios of differences of an arbitrary flow magnify it
@@ -151,7 +150,7 @@ void expect_formula(Format format, Tensor const& t, double smagorinsky, bool tur
   double const constant = 0.03;
   auto const model = eddying(D, smagorinsky);
   auto fluid = make_box(format, model);
-  fluid.f.turned = turned;
+  fluid.f.step = turned;
   set_linear(fluid, t);
   auto const share = shares(fluid, constant);
   double const near = constant * magnitude(t) * tolerance(format, model, t);

@@ -1,7 +1,6 @@
 // problem:    clamped disc, no damping, let go from an inflated shape: large free oscillation
 // reference:  energy (kinetic + elastic) is constant; symplectic Euler keeps it within O(dt) for
-// all
-//             times (Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), IX.8)
+//             all times (Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), IX.8)
 // measure:    largest |E - E0| / E0 over 20000 steps, and the mean of the last against the first
 //             quarter; halved step
 // tolerance:  3 % with 0.1 of the stable step, 0.2 % drift, the error halves with the step

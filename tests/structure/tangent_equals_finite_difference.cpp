@@ -8,6 +8,7 @@
 #include "structure/membrane.hpp"
 #include "structure/pressure_load.hpp"
 #include "structure/spring.hpp"
+#include "tests/support/derivatives.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,48 +30,20 @@ Membrane bent(core::Symmetry symmetry)
   return m;
 }
 
-double tangent_error(Load const& load, Eigen::VectorXd const& x)
-{
-  auto const n = x.size();
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
-  Triplets entries;
-  load(x, force, &entries);
-  Eigen::SparseMatrix<double> sparse(n, n);
-  sparse.setFromTriplets(entries.begin(), entries.end());
-  Eigen::MatrixXd const tangent = sparse;
-  Eigen::MatrixXd difference(n, n);
-  double const step = 1e-6;
-  for (int j = 0; j < n; ++j) {
-    Eigen::VectorXd plus = Eigen::VectorXd::Zero(n), minus = plus, y = x;
-    y[j] = x[j] + step, load(y, plus, nullptr);
-    y[j] = x[j] - step, load(y, minus, nullptr);
-    difference.col(j) = (plus - minus) / (2 * step);
-  }
-  return (tangent - difference).cwiseAbs().maxCoeff() / tangent.cwiseAbs().maxCoeff();
-}
-
-Load elasticity(Membrane const& m)
-{
-  return [&m](Eigen::VectorXd const& x, Eigen::VectorXd& force, Triplets* tangent) {
-    add_elastic_force(m, x, force);
-    if (!tangent) return;
-    Triplets stiffness;
-    add_stiffness(m, x, stiffness);
-    for (auto const& t : stiffness) tangent->emplace_back(t.row(), t.col(), -t.value());
-  };
-}
-
 TEST(Tangent, equals_finite_difference_for_every_force)
 {
   for (auto const symmetry : {core::Symmetry::planar, core::Symmetry::axisymmetric}) {
     auto const m = bent(symmetry);
-    EXPECT_LT(tangent_error(elasticity(m), m.position), 1e-7);
+    auto const error = [&](Load const& load) {
+      return tests::tangent_error(load, m.position, 1e-6, tests::all_of(m.position));
+    };
+    EXPECT_LT(error(tests::elasticity(m)), 1e-7);
 
     auto pressure = uniform_pressure(m, Side::minus, 2);
     pressure.push_back({3, Side::plus, 0.2, 0.7, 5, -1});
-    EXPECT_LT(tangent_error(pressure_load(m, pressure), m.position), 1e-7);
+    EXPECT_LT(error(pressure_load(m, pressure)), 1e-7);
 
-    EXPECT_LT(tangent_error(spring_load(m, {2, 3, 1, 0.47}), m.position), 1e-7);
+    EXPECT_LT(error(spring_load(m, {2, 3, 1, 0.47})), 1e-7);
   }
 }
 
@@ -78,15 +51,10 @@ TEST(ElasticForce, is_minus_the_gradient_of_the_energy)
 {
   for (auto const symmetry : {core::Symmetry::planar, core::Symmetry::axisymmetric}) {
     auto const m = bent(symmetry);
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(m.position.size());
-    add_elastic_force(m, m.position, force);
-    for (int j = 0; j < force.size(); ++j) {
-      double const step = 1e-6;
-      Eigen::VectorXd plus = m.position, minus = m.position;
-      plus[j] += step, minus[j] -= step;
-      double const slope = (elastic_energy(m, plus) - elastic_energy(m, minus)) / (2 * step);
-      EXPECT_NEAR(force[j], -slope, 1e-7 * force.cwiseAbs().maxCoeff());
-    }
+    auto const energy = [&](auto const& x) { return elastic_energy(m, x); };
+    auto const force = tests::force_of(tests::elasticity(m), m.position);
+    EXPECT_LT(tests::gradient_error(energy, force, m.position, 1e-6, tests::all_of(m.position)),
+              1e-7);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "structure/sheet_mesh.hpp"
 #include "structure/sheet_pressure.hpp"
 #include "structure/triangle_element.hpp"
+#include "tests/support/derivatives.hpp"
 
 namespace velum::structure {
 namespace {
@@ -108,26 +109,24 @@ TEST(Triangles, feel_no_rigid_motion)
     EXPECT_LT((node3(after, a) - R * node3(force, a)).norm(), 1e-13);
 }
 
+/// Every seventh: as many of x as of y and z.
+tests::Components some(Eigen::VectorXd const& x)
+{
+  tests::Components chosen;
+  for (int i = 0; i < x.size(); i += 7) chosen.push_back(i);
+  return chosen;
+}
+
 TEST(Triangles, have_the_force_and_tangent_of_their_energy)
 {
   Sheet const s = uneven_sheet();
-  Eigen::VectorXd const x = crumpled(s), force = elastic_force(s, x);
-  Triplets entries;
-  add_stiffness(s, x, entries);
-  Eigen::SparseMatrix<double> K(x.size(), x.size());
-  K.setFromTriplets(entries.begin(), entries.end());
-  double const step = 1e-6, largest = K.coeffs().cwiseAbs().maxCoeff();
-  EXPECT_LT(Eigen::MatrixXd(K - Eigen::SparseMatrix<double>(K.transpose())).cwiseAbs().maxCoeff(),
-            1e-14 * largest);
-  for (int i = 0; i < x.size(); i += 7) {
-    Eigen::VectorXd ahead = x, behind = x;
-    ahead[i] += step, behind[i] -= step;
-    double const slope = (elastic_energy(s, ahead) - elastic_energy(s, behind)) / (2 * step);
-    EXPECT_NEAR(-force[i], slope, 1e-7 * force.cwiseAbs().maxCoeff()) << i;
-    Eigen::VectorXd const column =
-        (elastic_force(s, behind) - elastic_force(s, ahead)) / (2 * step);
-    EXPECT_LT((column - Eigen::VectorXd(K.col(i))).cwiseAbs().maxCoeff(), 1e-7 * largest) << i;
-  }
+  Eigen::VectorXd const x = crumpled(s);
+  auto const elasticity = tests::elasticity(s);
+  auto const energy = [&](auto const& at) { return elastic_energy(s, at); };
+  EXPECT_LT(tests::gradient_error(energy, elastic_force(s, x), x, 1e-6, some(x)), 1e-7);
+  EXPECT_LT(tests::tangent_error(elasticity, x, 1e-6, some(x)), 1e-7);
+  Eigen::MatrixXd const K = tests::tangent_of(elasticity, x);
+  EXPECT_LT((K - K.transpose()).cwiseAbs().maxCoeff(), 1e-14 * K.cwiseAbs().maxCoeff());
 }
 
 TEST(Triangles, have_the_pressure_of_their_volume_and_its_tangent)
@@ -135,36 +134,17 @@ TEST(Triangles, have_the_pressure_of_their_volume_and_its_tangent)
   Sheet const s = uneven_sheet();
   Eigen::VectorXd const x = crumpled(s);
   Eigen::VectorXd const p = Eigen::VectorXd::LinSpaced(element_count(s), 0.5, 2);
-  auto const load = pressure_load(s, p);
-  auto const force = [&](Eigen::VectorXd const& at) {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(at.size());
-    load(at, f, nullptr);
-    return f;
-  };
-  Triplets entries;
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(x.size());
-  load(x, unused, &entries);
-  Eigen::SparseMatrix<double> K(x.size(), x.size());
-  K.setFromTriplets(entries.begin(), entries.end());
-  double const step = 1e-6, largest = K.coeffs().cwiseAbs().maxCoeff();
-  for (int i = 0; i < x.size(); i += 7) {
-    Eigen::VectorXd ahead = x, behind = x;
-    ahead[i] += step, behind[i] -= step;
-    Eigen::VectorXd const column = (force(ahead) - force(behind)) / (2 * step);
-    EXPECT_LT((column - Eigen::VectorXd(K.col(i))).cwiseAbs().maxCoeff(), 1e-7 * largest) << i;
-  }
+  EXPECT_LT(tests::tangent_error(pressure_load(s, p), x, 1e-6, some(x)), 1e-7);
   // of one pressure, at points off the rim
   Eigen::VectorXd const one = Eigen::VectorXd::Constant(element_count(s), -1);
-  Eigen::VectorXd f = Eigen::VectorXd::Zero(x.size());
-  pressure_load(s, one)(x, f, nullptr);
   auto const rim = rim_points({s.reference, s.triangles});
-  for (int a = 0; a < node_count(s); ++a)
-    for (int i = 3 * a; i < 3 * a + 3 && !std::ranges::binary_search(rim, a); ++i) {
-      Eigen::VectorXd ahead = x, behind = x;
-      ahead[i] += step, behind[i] -= step;
-      double const slope = (swept_volume(s, ahead) - swept_volume(s, behind)) / (2 * step);
-      EXPECT_NEAR(f[i], slope, 1e-7 * f.cwiseAbs().maxCoeff());
-    }
+  tests::Components inner;
+  for (int i = 0; i < x.size(); ++i)
+    if (!std::ranges::binary_search(rim, i / 3)) inner.push_back(i);
+  auto const volume = [&](auto const& at) { return -swept_volume(s, at); };
+  EXPECT_LT(
+      tests::gradient_error(volume, tests::force_of(pressure_load(s, one), x), x, 1e-6, inner),
+      1e-7);
 }
 
 }  // namespace

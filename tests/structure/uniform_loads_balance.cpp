@@ -1,7 +1,6 @@
 // problem:    forces that must vanish or sum up exactly, on a curved membrane with a thick edge
 // reference:  rigid motion strains nothing; equal pressures on both sides cancel; the axial force
-// of
-//             a pressure is p times the projected area; the volume of rubber is constant
+//             of a pressure is p times the projected area; the volume of rubber is constant
 // measure:    largest nodal force over that of one element strained by 1; relative sums
 // tolerance:  1e-12
 // why:        exact identities of the discrete membrane; only round-off is left
