@@ -1,3 +1,5 @@
+#include "cases/app/body_model.hpp"
+#include "cases/app/body_run.hpp"
 #include "cases/app/commands.hpp"
 #include "cases/app/derived.hpp"
 #include "cases/app/preflight.hpp"
@@ -23,10 +25,23 @@ std::ptrdiff_t count(std::vector<Row> const& rows, Verdict verdict)
                        [&](Row const& row) { return row.verdict == verdict; });
 }
 
+/// What a run of a body would assume, and what it would solve.
+void check_body(Options const& options)
+{
+  auto const scene = read_body_scene(options.scene, options.set);
+  if (scene.reference) load_body_table(scene);
+  fmt::print("{}: {}, structure\n", scene.source.file, scene.name);
+  for (auto const& [name, sentence] : body_assumptions(scene))
+    fmt::print("  {:<10} {}\n", name, sentence);
+  fmt::print("  {:<10} {} pressures, {} volumes; {} unknowns\n", "states",
+             scene.load.pressures.size(), scene.load.volumes.size(), unknowns(scene));
+}
+
 }  // namespace
 
 void check_command(Options const& options)
 {
+  if (is_body_scene(options.scene, options.set)) return check_body(options);
   Scene const scene = read_scene(options.scene, options.set);
   Derived const derived = derive(scene);
   bool const marched = scene.fidelity != Fidelity::hydrostatic;
@@ -38,7 +53,7 @@ void check_command(Options const& options)
   }
   auto const membrane = membrane_rows(scene, derived);
 
-  fmt::print("{}: {}, {}\n", scene.file, scene.name, word(scene.fidelity));
+  fmt::print("{}: {}, {}\n", scene.source.file, scene.name, word(scene.fidelity));
   print_section("fluid", fluid);
   print_section("membrane and seat", membrane);
   print_section("cost", cost);

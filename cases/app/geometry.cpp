@@ -49,16 +49,6 @@ core::SignedDistance<3> unshifted_in_space(Solid const& s)
   return {};
 }
 
-core::Obstacle placed(Solid const& s)
-{
-  return core::transformed(unshifted(s), 1.0, core::in_plane(s.shift));
-}
-
-core::SignedDistance<3> placed_in_space(Solid const& s)
-{
-  return core::scaled(unshifted_in_space(s), 1.0, s.shift);
-}
-
 /// The union of the solids that add, without those that subtract, each put in its place.
 template <class Geometry>
 Geometry united(Scene const& scene, Geometry (*place)(Solid const&))
@@ -94,6 +84,16 @@ double gap_at(MembraneSheet const& membrane, core::Obstacle const& seat, double 
 }
 
 }  // namespace
+
+core::Obstacle placed(Solid const& s)
+{
+  return core::transformed(unshifted(s), 1.0, core::in_plane(s.shift));
+}
+
+core::SignedDistance<3> placed_in_space(Solid const& s)
+{
+  return core::scaled(unshifted_in_space(s), 1.0, s.shift);
+}
 
 core::Obstacle solid(Scene const& scene, std::string const& name)
 {

@@ -6,6 +6,10 @@
 
 namespace velum::cases {
 
+/// A solid, shifted to its place; lengths in metres. In space: a profile is revolved.
+core::Obstacle placed(Solid const& solid);
+core::SignedDistance<3> placed_in_space(Solid const& solid);
+
 /// A solid of the scene, shifted to its place; lengths in metres.
 core::Obstacle solid(Scene const& scene, std::string const& name);
 

@@ -3,6 +3,7 @@
 #include "cases/app/scene_words.hpp"
 #include "structure/drucker.hpp"
 #include "structure/line_element.hpp"
+#include "structure/triangle_element.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -40,21 +41,45 @@ std::string unstable(Material const& material)
 
 }  // namespace
 
-void note_stretch(StretchRecord& record, structure::Membrane const& membrane,
-                  Material const& material)
+namespace {
+
+/// @param stretches  the two principal ones of each element
+void note(StretchRecord& record, std::vector<Vec2> const& stretches, Material const& material)
 {
   StretchRecord const before = record;
-  for (int e = 0; e < structure::element_count(membrane); ++e) {
-    auto const k = structure::line_element(membrane, membrane.position, e);
-    double const a = k.l1 * k.l1, b = k.l2 * k.l2;
-    record.largest = std::max({record.largest, k.l1, k.l2});
+  for (auto const& l : stretches) {
+    double const a = l[0] * l[0], b = l[1] * l[1];
+    record.largest = std::max({record.largest, l[0], l[1]});
     record.i1 = std::max(record.i1, a + b + 1 / (a * b) - 3);
-    if (material.card && !structure::is_stable(membrane.material, k.l1, k.l2))
-      record.stable = false;
+    if (material.card && !structure::is_stable(material.rubber, l[0], l[1])) record.stable = false;
   }
   if (outside(before, material).empty() && !outside(record, material).empty())
     spdlog::warn("{}.", outside(record, material));
   if (before.stable && !record.stable) spdlog::warn("{}.", unstable(material));
+}
+
+}  // namespace
+
+void note_stretch(StretchRecord& record, structure::Membrane const& membrane,
+                  Material const& material)
+{
+  std::vector<Vec2> stretches;
+  for (int e = 0; e < structure::element_count(membrane); ++e) {
+    auto const k = structure::line_element(membrane, membrane.position, e);
+    stretches.push_back({k.l1, k.l2});
+  }
+  note(record, stretches, material);
+}
+
+void note_stretch(StretchRecord& record, structure::Sheet const& sheet, Material const& material)
+{
+  std::vector<Vec2> stretches;
+  for (int e = 0; e < structure::element_count(sheet); ++e) {
+    auto const l = structure::principal_stretches(structure::deformation_gradient(
+        sheet, sheet.position, structure::triangle_shape(sheet, e), e));
+    stretches.push_back({l[0], l[1]});
+  }
+  note(record, stretches, material);
 }
 
 std::string material_in_words(Material const& material)

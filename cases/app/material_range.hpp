@@ -2,6 +2,7 @@
 #include "cases/app/scene.hpp"
 #include "core/output/summary.hpp"
 #include "structure/membrane.hpp"
+#include "structure/sheet.hpp"
 
 namespace velum::cases {
 
@@ -17,6 +18,7 @@ struct StretchRecord {
 /// farther than one), or the law's stability, a warning goes to the log.
 void note_stretch(StretchRecord& record, structure::Membrane const& membrane,
                   Material const& material);
+void note_stretch(StretchRecord& record, structure::Sheet const& sheet, Material const& material);
 
 /// What the material is, in words.
 std::string material_in_words(Material const& material);

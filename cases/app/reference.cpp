@@ -38,7 +38,7 @@ ReferenceData load_reference(Scene const& scene)
   bool const body =
       reference.kind == ReferenceKind::body || reference.kind == ReferenceKind::dissipation;
   auto const table =
-      read_table_file(std::filesystem::path(scene.file).parent_path() / reference.file,
+      read_table_file(std::filesystem::path(scene.source.file).parent_path() / reference.file,
                       body ? std::vector<std::string>{"figure", "low", "high"}
                            : std::vector<std::string>{"x", "y", "u", "v"});
   double const L = reference.length, U = flow_velocity(scene);

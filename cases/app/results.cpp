@@ -11,7 +11,8 @@
 
 namespace velum::cases {
 
-void prepare_results(Scene const& scene, std::filesystem::path const& out)
+void prepare_results(SceneFile const& source, std::vector<std::string> const& files,
+                     std::filesystem::path const& out)
 {
   std::error_code error;
   std::filesystem::create_directories(out, error);
@@ -22,7 +23,7 @@ void prepare_results(Scene const& scene, std::filesystem::path const& out)
 
   auto const scene_file = out / "scene.toml";
   std::error_code ignored;
-  if (std::filesystem::equivalent(scene_file, scene.file, ignored))
+  if (std::filesystem::equivalent(scene_file, source.file, ignored))
     throw core::InputError(fmt::format(
         "--out: the results folder {} holds the scene file itself, which the run would overwrite; "
         "choose another folder.",
@@ -31,20 +32,26 @@ void prepare_results(Scene const& scene, std::filesystem::path const& out)
     std::filesystem::remove(out / name, ignored);
 
   // With the files that it names beside it, the scene as run can be run again from there.
-  auto const copy = [&](std::string const& name) {
-    if (!name.empty())
-      std::filesystem::copy_file(std::filesystem::path(scene.file).parent_path() / name, out / name,
-                                 std::filesystem::copy_options::overwrite_existing, ignored);
-  };
-  if (scene.reference) copy(scene.reference->file);
-  for (auto const& solid : scene.solids) copy(solid.file);
-  for (auto const& [name, material] : scene.materials) copy(material.file);
+  auto const folder = std::filesystem::path(source.file).parent_path();
+  for (auto const& name : files)
+    std::filesystem::copy_file(folder / name, out / name,
+                               std::filesystem::copy_options::overwrite_existing, ignored);
 
   std::ofstream file(scene_file);
-  file << scene.text << std::flush;
+  file << source.text << std::flush;
   if (!file)
     throw core::InputError(fmt::format("--out: the results folder {} cannot be written: {}.",
                                        out.string(), std::generic_category().message(errno)));
+}
+
+std::vector<std::string> files_of(Scene const& scene)
+{
+  std::vector<std::string> files;
+  if (scene.reference) files.push_back(scene.reference->file);
+  for (auto const& solid : scene.solids) files.push_back(solid.file);
+  for (auto const& [name, material] : scene.materials) files.push_back(material.file);
+  std::erase(files, "");
+  return files;
 }
 
 }  // namespace velum::cases

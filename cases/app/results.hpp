@@ -6,8 +6,13 @@
 namespace velum::cases {
 
 /// Makes the results folder ready: creates it, proves that files can be written there, removes what
-/// an earlier run left under velum's own file names, and writes the scene as run, scene.toml.
+/// an earlier run left under velum's own file names, and writes the scene as run, scene.toml, with
+/// the files that it names.
 /// @throws core::InputError  the folder cannot be made or written, before anything is computed
-void prepare_results(Scene const& scene, std::filesystem::path const& out);
+void prepare_results(SceneFile const& source, std::vector<std::string> const& files,
+                     std::filesystem::path const& out);
+
+/// Names of the files beside a scene that it reads.
+std::vector<std::string> files_of(Scene const& scene);
 
 }  // namespace velum::cases

@@ -1,15 +1,13 @@
 #include "cases/app/scene.hpp"
 
-#include "cases/app/overrides.hpp"
+#include "cases/app/open_scene.hpp"
 #include "cases/app/scene_checks.hpp"
 #include "cases/app/scene_sections.hpp"
-#include "cases/app/scene_text.hpp"
 #include "core/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace velum::cases {
 namespace {
@@ -34,6 +32,8 @@ Scene compose(SceneTable root)
   if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.'))
     root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
   auto const fidelity = root.choice<Fidelity>("fidelity");
+  if (fidelity == Fidelity::structure)
+    root.fail("fidelity", "= \"structure\" is a body without fluid, which has no place here.");
   auto const symmetry_of_scene = symmetry_of(fidelity, root);
   root.set_dimensions(core::dimensions(symmetry_of_scene));
   if (root.has("membrane") && fidelity == Fidelity::space)
@@ -78,30 +78,20 @@ Scene compose(SceneTable root)
 
 Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides)
 {
-  std::error_code ignored;
-  core::require(!std::filesystem::is_directory(file, ignored),
-                fmt::format("{}: is not a file; name the scene.toml in it.", file.string()));
-  toml::table merged = parse_toml(file, "scene file");
-  Origins origins{.file = file.string(), .overridden = {}, .places = {}};
-  for (auto const& text : overrides) origins.overridden.push_back(apply_override(merged, text));
-
-  Scene scene = compose(SceneTable(merged, "", origins));
-  std::ostringstream text;
-  text << merged << '\n';
-  scene.text = text.str();
-  scene.file = file.string();
-  scene.places = std::move(origins.places);
+  OpenScene open(file, overrides);
+  Scene scene = compose(open.root());
+  scene.source = open.close();
   check_scene(scene);
   return scene;
 }
 
-void reject(Scene const& scene, std::string const& key, std::string const& what)
+void reject(SceneFile const& source, std::string const& key, std::string const& what)
 {
   // A part of an array or a default has the place of what contains it.
-  std::string place = scene.file;
+  std::string place = source.file;
   std::string outer = key;
   while (!outer.empty()) {
-    if (auto const found = scene.places.find(outer); found != scene.places.end()) {
+    if (auto const found = source.places.find(outer); found != source.places.end()) {
       place = found->second;
       break;
     }

@@ -20,7 +20,7 @@ using core::Vec2;
 using core::Vec3;
 using lbm::Collision;
 
-enum class Fidelity { hydrostatic, axisymmetric, planar, space };
+enum class Fidelity { hydrostatic, axisymmetric, planar, space, structure };
 enum class Stencil { d2q9, d3q19, d3q27 };
 constexpr int directions(Stencil s)
 {
@@ -155,6 +155,13 @@ struct Schedule {
   double steady = 0;    // ends the run below this relative change; 0: never
 };
 
+/// Where a scene comes from.
+struct SceneFile {
+  std::string text{};                           // as read, overrides merged in, as TOML
+  std::string file{};                           // its path
+  std::map<std::string, std::string> places{};  // key -> "file:line" or "--set"
+};
+
 /// What a scene file says, in SI units, checked. Points are (axial, radial), (x, y) or (x, y, z).
 struct Scene {
   std::string name;
@@ -174,9 +181,7 @@ struct Scene {
   std::optional<Reference> reference{};
   Sweep chart{};
 
-  std::string text{};                           // as read, overrides merged in, as TOML
-  std::string file{};                           // its path
-  std::map<std::string, std::string> places{};  // key -> "file:line" or "--set"
+  SceneFile source{};
 };
 
 /// Reads, merges the overrides ("key=value") into, and checks a scene.
@@ -184,7 +189,11 @@ struct Scene {
 Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
 
 /// Throws core::InputError: place of the key, the key, then what is wrong with it.
-[[noreturn]] void reject(Scene const& scene, std::string const& key, std::string const& what);
+[[noreturn]] void reject(SceneFile const& source, std::string const& key, std::string const& what);
+[[noreturn]] inline void reject(Scene const& scene, std::string const& key, std::string const& what)
+{
+  reject(scene.source, key, what);
+}
 
 /// Planar, axisymmetric or none (space); a hydrostatic scene follows its membrane.
 core::Symmetry symmetry(Scene const& scene);

@@ -196,7 +196,7 @@ void check_reference(Scene const& scene)
            "= \"pipe\" needs lattice.periodic = [\"x\"], a fluid.body_force along x, and an "
            "axisymmetric scene from the axis on or a 3d one.");
   if (reference.file.empty()) return;
-  auto const file = std::filesystem::path(scene.file).parent_path() / reference.file;
+  auto const file = std::filesystem::path(scene.source.file).parent_path() / reference.file;
   if (!std::filesystem::is_regular_file(file))
     reject(scene, "reference.file",
            fmt::format("= \"{}\" is not a file beside the scene.", reference.file));

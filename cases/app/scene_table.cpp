@@ -142,11 +142,15 @@ std::optional<double> SceneTable::pressure_per_length_or_auto(std::string const&
 double SceneTable::number(std::string const& key, double fallback)
 {
   auto const* node = find(key);
-  if (!node) return fallback;
-  auto const value = node->value<double>();
-  if (!value || !node->is_number() || !std::isfinite(*value) || *value <= 0)
-    fail_at(*node, full(key),
-            fmt::format("must be a positive number without unit, but is {}.", describe(*node)));
+  return node ? number_of(*node, full(key)) : fallback;
+}
+
+double SceneTable::number_of(toml::node const& node, std::string const& path) const
+{
+  auto const value = node.value<double>();
+  if (!value || !node.is_number() || !std::isfinite(*value) || *value <= 0)
+    fail_at(node, path,
+            fmt::format("must be a positive number without unit, but is {}.", describe(node)));
   return *value;
 }
 

@@ -49,6 +49,8 @@ class SceneTable {
   std::optional<double> pressure_per_length_or_auto(std::string const& key);
   /// A number without unit, > 0.
   double number(std::string const& key, double fallback);
+  /// Such numbers, at least one.
+  std::vector<double> numbers(std::string const& key);
   std::string text(std::string const& key);
   /// One of the words of a choice.
   template <class Choice>
@@ -94,6 +96,8 @@ class SceneTable {
   toml::node const& require(std::string const& key, std::string const& what);
   double quantity_of(toml::node const& node, std::string const& path, core::Dimension dimension,
                      Sign sign) const;
+  double number_of(toml::node const& node, std::string const& path) const;
+  toml::array const& entries_of(std::string const& key, std::string const& wanted);
   toml::array const& row_of(std::size_t n, toml::node const& node, std::string const& path,
                             std::string const& what) const;
   Vec3 values_of(int n, toml::node const& node, std::string const& path,

@@ -76,15 +76,30 @@ std::vector<double> SceneTable::quantities(std::string const& key, core::Dimensi
 {
   std::string const wanted =
       fmt::format("an array of values, such as [\"{}\"]", example(dimension));
+  auto const& entries = entries_of(key, wanted);
+  std::vector<double> values;
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    values.push_back(quantity_of(*entries.get(k), fmt::format("{}[{}]", full(key), k), dimension,
+                                 Sign::positive));
+  return values;
+}
+
+std::vector<double> SceneTable::numbers(std::string const& key)
+{
+  auto const& entries = entries_of(key, "an array of numbers, such as [1.5]");
+  std::vector<double> values;
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    values.push_back(number_of(*entries.get(k), fmt::format("{}[{}]", full(key), k)));
+  return values;
+}
+
+toml::array const& SceneTable::entries_of(std::string const& key, std::string const& wanted)
+{
   auto const& node = require(key, wanted);
   auto const* entries = node.as_array();
   if (!entries || entries->empty())
     fail_at(node, full(key), fmt::format("must be {}, but is {}.", wanted, describe(node)));
-  std::vector<double> values;
-  for (std::size_t k = 0; k < entries->size(); ++k)
-    values.push_back(quantity_of(*entries->get(k), fmt::format("{}[{}]", full(key), k), dimension,
-                                 Sign::positive));
-  return values;
+  return *entries;
 }
 
 std::vector<std::string> SceneTable::texts(std::string const& key,

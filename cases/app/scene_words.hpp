@@ -17,7 +17,8 @@ inline Words<Fidelity> words(Fidelity)
   return {{"hydrostatic", Fidelity::hydrostatic},
           {"axisymmetric", Fidelity::axisymmetric},
           {"planar", Fidelity::planar},
-          {"3d", Fidelity::space}};
+          {"3d", Fidelity::space},
+          {"structure", Fidelity::structure}};
 }
 inline Words<Collision> words(Collision)
 {

@@ -34,6 +34,20 @@ char const* name_of(Symmetry symmetry)
   return "none";
 }
 
+void describe(hid_t root, Grid const& grid)
+{
+  hdf5::write_attribute(root, "nx", grid.nx);
+  hdf5::write_attribute(root, "ny", grid.ny);
+  hdf5::write_attribute(root, "dx [m]", grid.dx);
+  hdf5::write_attribute(root, "origin axial [m]", grid.origin[0]);
+  hdf5::write_attribute(root, "origin radial [m]", grid.origin[1]);
+  if (dimensions(grid.symmetry) == 3) {
+    hdf5::write_attribute(root, "nz", grid.nz);
+    hdf5::write_attribute(root, "origin third [m]", grid.origin[2]);
+  }
+  hdf5::write_attribute(root, "symmetry", name_of(grid.symmetry));
+}
+
 /// Claims a name within one group.
 void claim(std::set<std::string>& taken, std::string const& name)
 {
@@ -98,6 +112,23 @@ std::string write_curve(hid_t dump, std::string const& dump_path, Curve const& c
   return xdmf::curve(curve.name, nodes, list, fields);
 }
 
+std::string write_surface(hid_t dump, std::string const& dump_path, Surface const& surface)
+{
+  std::string const path = dump_path + "/" + surface.name;
+  auto const group = hdf5::create_group(dump, surface.name);
+  std::vector<double> places;
+  for (auto const& p : surface.nodes) places.insert(places.end(), {p[0], p[1], p[2]});
+  std::vector<std::int32_t> corners;
+  for (auto const& t : surface.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  auto const nodes =
+      write(group, path, {"nodes", "m", 3, std::move(places)}, {surface.nodes.size()});
+  auto const triangles =
+      write(group, path, {"triangles", "1", 3, std::move(corners)}, {surface.triangles.size()});
+  auto const fields =
+      write_all(group, path, surface.fields, {surface.nodes.size()}, {"nodes", "triangles"});
+  return xdmf::surface(surface.name, nodes, triangles, fields);
+}
+
 }  // namespace
 
 Field vector_field(std::string name, std::string unit, std::vector<Vec2> const& values)
@@ -117,21 +148,12 @@ Field vector_field(std::string name, std::string unit, std::vector<Vec3> const& 
   return {std::move(name), std::move(unit), 3, std::move(flat)};
 }
 
-FieldsFile create_fields(std::filesystem::path const& folder, Grid const& grid,
+FieldsFile create_fields(std::filesystem::path const& folder, std::optional<Grid> const& grid,
                          Assumptions const& assumptions)
 {
   FieldsFile file{folder / data_name, folder / "run.xmf", grid, 0, ""};
   auto const root = hdf5::create_file(file.data);
-  hdf5::write_attribute(root, "nx", grid.nx);
-  hdf5::write_attribute(root, "ny", grid.ny);
-  hdf5::write_attribute(root, "dx [m]", grid.dx);
-  hdf5::write_attribute(root, "origin axial [m]", grid.origin[0]);
-  hdf5::write_attribute(root, "origin radial [m]", grid.origin[1]);
-  if (dimensions(grid.symmetry) == 3) {
-    hdf5::write_attribute(root, "nz", grid.nz);
-    hdf5::write_attribute(root, "origin third [m]", grid.origin[2]);
-  }
-  hdf5::write_attribute(root, "symmetry", name_of(grid.symmetry));
+  if (grid) describe(root, *grid);
   for (auto const& [name, text] : assumptions)
     hdf5::write_attribute(root, "assumption: " + name, text);
   write_atomically(file.index, xdmf::index(file.times));
@@ -139,7 +161,7 @@ FieldsFile create_fields(std::filesystem::path const& folder, Grid const& grid,
 }
 
 void write_fields(FieldsFile& file, double time, std::vector<Field> const& fluid,
-                  std::vector<Curve> const& curves)
+                  std::vector<Curve> const& curves, std::vector<Surface> const& surfaces)
 {
   std::string members;
   {
@@ -148,17 +170,23 @@ void write_fields(FieldsFile& file, double time, std::vector<Field> const& fluid
     auto const dump = hdf5::create_group(root, name);
     hdf5::write_attribute(dump, "time", time);
 
-    auto const group = hdf5::create_group(dump, "fluid");
-    std::vector<hsize_t> cells{static_cast<hsize_t>(file.grid.ny),
-                               static_cast<hsize_t>(file.grid.nx)};
-    if (dimensions(file.grid.symmetry) == 3)
-      cells.insert(cells.begin(), static_cast<hsize_t>(file.grid.nz));
-    members = xdmf::fluid(file.grid, write_all(group, path + "/fluid", fluid, cells, {}));
+    if (file.grid) {
+      auto const group = hdf5::create_group(dump, "fluid");
+      std::vector<hsize_t> cells{static_cast<hsize_t>(file.grid->ny),
+                                 static_cast<hsize_t>(file.grid->nx)};
+      if (dimensions(file.grid->symmetry) == 3)
+        cells.insert(cells.begin(), static_cast<hsize_t>(file.grid->nz));
+      members = xdmf::fluid(*file.grid, write_all(group, path + "/fluid", fluid, cells, {}));
+    }
 
     std::set<std::string> taken{"fluid"};
     for (auto const& curve : curves) {
       claim(taken, curve.name);
       members += write_curve(dump, path, curve);
+    }
+    for (auto const& surface : surfaces) {
+      claim(taken, surface.name);
+      members += write_surface(dump, path, surface);
     }
   }
   // Only now that the arrays are on the disk may the index name them.

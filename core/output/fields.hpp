@@ -3,8 +3,10 @@
 #include "core/output/summary.hpp"
 #include "core/vec.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,32 +33,42 @@ struct Curve {
   std::vector<Field> fields;  // one entry per node
 };
 
+/// Triangles between nodes of space: the mid-surface of a sheet.
+struct Surface {
+  std::string name;
+  std::vector<Vec3> nodes;                             // m
+  std::vector<std::array<std::int32_t, 3>> triangles;  // numbers of nodes
+  std::vector<Field> fields;                           // one entry per node
+};
+
 /// The fields of a run: run.h5 with the arrays, run.xmf with the XDMF 2.0 index that viewers open.
 ///
 /// In run.h5: group dump_000000, ... with attribute `time`, in it the group `fluid` and one group
-/// per curve, in these the arrays, each with attribute `unit`. Fluid arrays have shape [ny][nx], in
-/// space [nz][ny][nx], or that with [3] behind; a curve has `nodes` [n][3] besides. Attributes of
-/// the root: grid, symmetry and the run's assumptions in words.
+/// per curve and surface, in these the arrays, each with attribute `unit`. Fluid arrays have shape
+/// [ny][nx], in space [nz][ny][nx], or that with [3] behind; a curve or surface has `nodes` [n][3]
+/// besides, a surface `triangles` [m][3]. Attributes of the root: grid, symmetry and the run's
+/// assumptions in words. A run without fluid has neither grid nor group `fluid`.
 ///
 /// Both files are complete on the disk, and closed, between two dumps, so that a running or a
 /// crashed run opens.
 struct FieldsFile {
   std::filesystem::path data, index;
-  Grid grid;          // m
-  int dumps = 0;      // written so far
-  std::string times;  // the part of the index that describes them
+  std::optional<Grid> grid;  // of the fluid, m
+  int dumps = 0;             // written so far
+  std::string times;         // the part of the index that describes them
 };
 
 /// Starts both files in a folder that exists (see make_folder).
-/// @param grid  in metres
+/// @param grid  of the fluid in metres, if there is one
 /// @throws InputError  they cannot be written
-FieldsFile create_fields(std::filesystem::path const& folder, Grid const& grid,
+FieldsFile create_fields(std::filesystem::path const& folder, std::optional<Grid> const& grid,
                          Assumptions const& assumptions);
 
 /// Adds the state at a time (s) to both files.
+/// @param fluid  arrays on the cells of the grid; none without one
 /// @throws InputError  they cannot be written; an array of the wrong length; a name that is taken
 ///                     or has other characters than letters, digits, '_' and '-'
 void write_fields(FieldsFile& file, double time, std::vector<Field> const& fluid,
-                  std::vector<Curve> const& curves);
+                  std::vector<Curve> const& curves, std::vector<Surface> const& surfaces = {});
 
 }  // namespace velum::core

@@ -6,9 +6,10 @@
 
 namespace velum::core {
 
-Series start_series(std::filesystem::path const& file, std::vector<Column> const& columns)
+Series start_series(std::filesystem::path const& file, std::vector<Column> const& columns,
+                    Column const& first)
 {
-  std::string header = "time [s]";
+  std::string header = fmt::format("{} [{}]", first.name, first.unit);
   for (auto const& [name, unit] : columns) {
     require((name + unit).find_first_of(",\"\n[]") == std::string::npos,
             fmt::format("\"{} [{}]\" cannot be the header of a column.", name, unit));

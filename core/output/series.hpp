@@ -12,17 +12,18 @@ struct Column {
 };
 
 /// A CSV file that grows by a row per sample; each row is on the disk when append() returns. The
-/// header is `name [unit]`; the first column is the time in seconds. The first row belongs to the
-/// state before the first step.
+/// header is `name [unit]`; the first column is the time in seconds, or what else orders the rows.
+/// The first row belongs to the state before the first step.
 struct Series {
   std::filesystem::path path;
   std::ofstream file;
-  std::size_t columns;  // without the time
+  std::size_t columns;  // without the first
 };
 
 /// Starts the file with its header.
 /// @throws InputError  the file cannot be written, or a name cannot stand in a header
-Series start_series(std::filesystem::path const& file, std::vector<Column> const& columns);
+Series start_series(std::filesystem::path const& file, std::vector<Column> const& columns,
+                    Column const& first = {"time", "s"});
 
 /// Adds the row at a time; every number reads back as the same double ("nan" and "inf" as such).
 /// @param values  one per column, in their order, SI

@@ -59,6 +59,18 @@ std::string curve(std::string const& name, Array const& nodes, Array const& node
                      attributes(node_arrays, "Node"));
 }
 
+std::string surface(std::string const& name, Array const& nodes, Array const& triangles,
+                    std::vector<Array> const& node_arrays)
+{
+  return fmt::format(R"(      <Grid Name="{}" GridType="Uniform">
+        <Topology TopologyType="Triangle" NumberOfElements="{}">{}</Topology>
+        <Geometry GeometryType="XYZ">{}</Geometry>
+{}      </Grid>
+)",
+                     name, triangles.extents.front(), data_item(triangles), data_item(nodes),
+                     attributes(node_arrays, "Node"));
+}
+
 std::string at_time(double time, std::string const& members)
 {
   return fmt::format(R"(    <Grid Name="state" GridType="Collection" CollectionType="Spatial">

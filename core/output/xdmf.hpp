@@ -27,6 +27,12 @@ std::string fluid(Grid const& grid, std::vector<Array> cell_arrays);
 std::string curve(std::string const& name, Array const& nodes, Array const& node_list,
                   std::vector<Array> const& node_arrays);
 
+/// Triangles between nodes, with arrays on the nodes.
+/// @param nodes      coordinates        [n][3]
+/// @param triangles  numbers of nodes   [m][3]
+std::string surface(std::string const& name, Array const& nodes, Array const& triangles,
+                    std::vector<Array> const& node_arrays);
+
 /// All that exists at one time: a spatial collection.
 std::string at_time(double time, std::string const& members);
 

@@ -101,7 +101,7 @@ TEST(Scene, SolidsAreShiftedUnitedAndSubtracted)
 TEST(Scene, TextAsRunReadsBackTheSame)
 {
   auto const scene = read_text(small_valve, {"inlet.pressure=70 kPa", "lattice.mach=0.05"});
-  auto const again = read_text(scene.text);
+  auto const again = read_text(scene.source.text);
   EXPECT_EQ(again.text, scene.text);
   EXPECT_DOUBLE_EQ(cases::value_at(again.boundaries[0].value, 0.0), 7e4);
   EXPECT_DOUBLE_EQ(again.lattice.mach, 0.05);

@@ -1,0 +1,40 @@
+#include "cases/app/body_model.hpp"
+#include "cases/app/body_run.hpp"
+#include "cases/app/body_words.hpp"
+#include "cases/app/material_range.hpp"
+
+#include <fmt/format.h>
+
+namespace velum::cases {
+
+core::Assumptions body_assumptions(BodyScene const& scene)
+{
+  auto const& body = scene.body;
+  core::Assumptions a;
+  a["fidelity"] = "structure: a body alone, in equilibrium under given loads; no fluid, no inertia";
+  a["elements"] = body.elements == Elements::lines
+                      ? "line elements, two nodes"
+                      : "flat triangles of constant strain, three nodes, in space";
+  a["material"] = material_in_words(material(scene)) + "; plane stress, thickness follows";
+  std::string const why =
+      body.bending == Bending::auto_
+          ? fmt::format("thickness over span is {:.3g}, {} {:.3g}", slenderness(body),
+                        has_bending(body) ? "not below" : "below", bending_from)
+          : "as the scene says";
+  a["bending"] = has_bending(body)
+                     ? fmt::format("on ({}): rotation-free, D = mu H^3 / 3", why)
+                     : fmt::format("off ({}): a membrane without stiffness in bending", why);
+  a["rim"] = has_bending(body) ? word(body.rim) : "held in place; without bending it turns freely";
+  a["scheme"] = scene.load.volumes.empty()
+                    ? "static: Newton with the exact tangent, loads raised in steps where needed"
+                    : "static: Newton with the exact tangent; from the first given volume on the "
+                      "pressure is an unknown, which passes the limit point";
+  if (scene.contact)
+    a["contact"] = fmt::format(
+        "frictionless, {}, {:.3g} Pa/m{}; the face lies half the undeformed thickness off",
+        word(scene.contact->method), penalty(scene),
+        scene.contact->stiffness ? "" : " (100 mu / H)");
+  return a;
+}
+
+}  // namespace velum::cases

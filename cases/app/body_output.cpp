@@ -1,0 +1,80 @@
+#include "cases/app/body_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::cases {
+namespace {
+
+core::Field displacement(std::vector<Vec3> const& before, std::vector<Vec3> const& after)
+{
+  std::vector<double> values;
+  for (std::size_t a = 0; a < before.size(); ++a)
+    for (int i = 0; i < 3; ++i) values.push_back(after[a][i] - before[a][i]);
+  return {"displacement", "m", 3, std::move(values)};
+}
+
+void draw(BodyOutput& out, structure::Sheet const& sheet, std::vector<Vec3> const& before,
+          std::vector<Vec3> const& after, int number)
+{
+  core::Surface surface{"body", after, {}, {displacement(before, after)}};
+  for (auto const& t : sheet.triangles) surface.triangles.push_back({t[0], t[1], t[2]});
+  core::write_fields(out.fields, number, {}, {}, {surface});
+}
+
+void draw(BodyOutput& out, structure::Membrane const&, std::vector<Vec3> const& before,
+          std::vector<Vec3> const& after, int number)
+{
+  core::Curve curve{"body", {}, {displacement(before, after)}};
+  for (auto const& p : after) curve.nodes.push_back(core::in_plane(p));
+  core::write_fields(out.fields, number, {}, {curve});
+}
+
+/// Nodes of the section, from the axis outwards.
+std::vector<std::size_t> section(std::vector<Vec3> const& places, double span)
+{
+  std::vector<std::size_t> nodes;
+  for (std::size_t a = 0; a < places.size(); ++a)
+    if (std::abs(places[a][2]) < 1e-9 * span && places[a][1] > -1e-9 * span) nodes.push_back(a);
+  std::ranges::sort(nodes, [&](auto a, auto b) { return places[a][1] < places[b][1]; });
+  return nodes;
+}
+
+}  // namespace
+
+BodyOutput start_output(BodyScene const& scene, std::filesystem::path const& folder)
+{
+  core::Column const first{"state", "1"};
+  return {core::create_fields(folder, {}, body_assumptions(scene)),
+          core::start_series(folder / "series.csv",
+                             {{"pressure", "Pa"},
+                              {"volume", "m3"},
+                              {"deflection", "m"},
+                              {"stretch_max", "1"},
+                              {"seat_force", "N"},
+                              {"contact_area", "m2"},
+                              {"contact_pressure_max", "Pa"},
+                              {"penetration", "m"},
+                              {"iterations", "1"}},
+                             first),
+          core::start_series(folder / "profile.csv",
+                             {{"reference_radius", "m"}, {"radius", "m"}, {"axial", "m"}}, first)};
+}
+
+template <class Body>
+void record(BodyOutput& out, BodyModel<Body> const& model, BodyState const& s, int number)
+{
+  core::append(out.series, number,
+               {s.pressure, s.volume, s.deflection, s.stretch_max, s.force, s.area, s.pressure_max,
+                s.penetration, double(s.iterations)});
+  auto const before = places(model.body, model.body.reference);
+  auto const after = places(model.body, model.body.position);
+  draw(out, model.body, before, after, number);
+  for (std::size_t a : section(before, model.span))
+    core::append(out.profile, number, {before[a][1], after[a][1], after[a][0]});
+}
+
+template void record(BodyOutput&, BodyModel<structure::Membrane> const&, BodyState const&, int);
+template void record(BodyOutput&, BodyModel<structure::Sheet> const&, BodyState const&, int);
+
+}  // namespace velum::cases

@@ -1,0 +1,218 @@
+#include "cases/app/body_scene.hpp"
+
+#include "cases/app/body_words.hpp"
+#include "cases/app/geometry.hpp"
+#include "cases/app/open_scene.hpp"
+#include "cases/app/overrides.hpp"
+#include "cases/app/scene_sections.hpp"
+#include "cases/app/scene_text.hpp"
+#include "core/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::cases {
+namespace {
+
+using core::Dimension;
+
+/// Keys that a shape takes beside those that all take.
+std::vector<std::string> keys_of(BodyShape shape, Elements elements)
+{
+  switch (shape) {
+    case BodyShape::disc:
+      return {"radius"};
+    case BodyShape::annulus:
+      return {"inner_radius", "radius"};
+    case BodyShape::tube:
+      return {"radius", "length"};
+    case BodyShape::strip:
+      break;
+  }
+  return elements == Elements::lines ? std::vector<std::string>{"from", "to"}
+                                     : std::vector<std::string>{"from", "to", "length"};
+}
+
+SoftBody read_body(SceneTable table)
+{
+  std::vector<std::string> keys{"elements",     "shape", "material", "position", "thickness",
+                                "element",      "rim",   "bending",  "radius",   "length",
+                                "inner_radius", "from",  "to"};
+  table.allow(keys);
+  SoftBody body{
+      .elements = table.choice<Elements>("elements"),
+      .shape = table.choice<BodyShape>("shape"),
+      .material = table.text("material"),
+      .position = table.quantity("position", Dimension::length, Sign::any, 0.0),
+      .outer = 0,
+      .thickness = table.curve("thickness", Dimension::length, Dimension::length, Sign::positive),
+      .element = table.quantity("element", Dimension::length, Sign::positive),
+      .rim = table.choice<BodyRim>("rim", BodyRim::clamped),
+      .bending = table.choice<Bending>("bending", Bending::auto_)};
+  if (body.elements == Elements::lines && body.shape != BodyShape::disc &&
+      body.shape != BodyShape::strip)
+    table.fail("shape", fmt::format("cannot be \"{}\" with lines; \"disc\" and \"strip\" can.",
+                                    word(body.shape)));
+  keys.resize(8);
+  auto const own = keys_of(body.shape, body.elements);
+  keys.insert(keys.end(), own.begin(), own.end());
+  table.allow(keys,
+              fmt::format(" with shape = \"{}\" of {}", word(body.shape), word(body.elements)));
+  auto const positive = [&](char const* key) {
+    return table.quantity(key, Dimension::length, Sign::positive);
+  };
+  if (body.shape == BodyShape::strip) {
+    body.inner = table.quantity("from", Dimension::length);
+    body.outer = table.quantity("to", Dimension::length);
+    if (body.inner >= body.outer) table.fail("to", "must be larger than \"from\".");
+  } else {
+    body.outer = positive("radius");
+  }
+  if (body.shape == BodyShape::annulus) {
+    body.inner = positive("inner_radius");
+    if (body.inner >= body.outer) table.fail("inner_radius", "must be smaller than \"radius\".");
+  }
+  if (std::ranges::find(own, "length") != own.end()) body.length = positive("length");
+  if (body.element > 0.5 * (body.outer - body.inner))
+    table.fail("element", "must be at most half of what the body spans.");
+  return body;
+}
+
+BodyLoad read_load(SceneTable table)
+{
+  table.allow({"pressures", "side", "volumes"});
+  BodyLoad load;
+  load.pressures = table.quantities("pressures", Dimension::pressure);
+  load.side = table.choice<BodySide>("side", BodySide::minus);
+  if (table.has("volumes")) load.volumes = table.quantities("volumes", Dimension::volume);
+  if (!std::ranges::is_sorted(load.volumes, std::less_equal<>()))
+    table.fail("volumes", "must ascend: each state starts from the one before.");
+  return load;
+}
+
+BodyReference read_body_reference(SceneTable table)
+{
+  table.allow({"file", "scale", "limit_load", "frequencies"});
+  BodyReference reference{.file = table.file_name("file"),
+                          .scale = table.choice<LoadScale>("scale")};
+  if (table.has("limit_load")) reference.limit_load = table.number("limit_load", 0);
+  if (table.has("frequencies")) reference.frequencies = table.numbers("frequencies");
+  return reference;
+}
+
+BodyScene compose(SceneTable root)
+{
+  root.allow(
+      {"name", "fidelity", "body", "material", "solid", "contact", "load", "modes", "reference"});
+  BodyScene scene{.name = root.text("name"), .body = read_body(root.table("body"))};
+  if (scene.name.find_first_of("/\\") != std::string::npos || scene.name.starts_with('.'))
+    root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
+  root.choice<Fidelity>("fidelity");
+  root.set_dimensions(scene.body.elements == Elements::triangles ? 3 : 2);
+  for (auto const& [key, table] : root.table("material").tables())
+    scene.materials.emplace(key, read_material(table));
+  if (!scene.materials.contains(scene.body.material)) {
+    std::vector<std::string> names;
+    for (auto const& [name, unused] : scene.materials) names.push_back(name);
+    root.table("body").fail(
+        "material", fmt::format("= \"{}\" is not a material of the scene{}", scene.body.material,
+                                did_you_mean(scene.body.material, names)));
+  }
+  if (root.has("solid"))
+    for (auto const& [key, table] : root.table("solid").tables())
+      scene.solids.push_back(read_solid(table, key));
+  if (root.has("contact")) {
+    scene.contact = read_contact(root.table("contact"));
+    if (std::ranges::none_of(scene.solids,
+                             [&](Solid const& s) { return s.name == scene.contact->seat; }))
+      root.table("contact").fail(
+          "seat", fmt::format("= \"{}\" is not a solid of the scene.", scene.contact->seat));
+  }
+  scene.load = read_load(root.table("load"));
+  if (root.has("modes")) {
+    double const modes = root.number("modes", 0);
+    if (modes != std::floor(modes) || modes > 100)
+      root.fail("modes", "must be a whole number up to 100: how many vibrations to find.");
+    scene.modes = int(modes);
+  }
+  if (root.has("reference")) scene.reference = read_body_reference(root.table("reference"));
+  return scene;
+}
+
+void check(BodyScene const& scene)
+{
+  for (auto const& solid : scene.solids) try {
+      if (scene.body.elements == Elements::triangles)
+        placed_in_space(solid);
+      else
+        placed(solid);
+    } catch (core::InputError const& error) {
+      reject(scene.source, "solid." + solid.name, fmt::format("cannot be built: {}", error.what()));
+    }
+  if (!scene.load.volumes.empty()) {
+    if (scene.contact)
+      reject(scene.source, "load.volumes",
+             "is for a body without contact: what lies on a seat encloses no single volume.");
+    if (has_bending(scene.body))
+      reject(scene.source, "load.volumes",
+             "is for membranes: past the limit point velum knows no bending; say body.bending = "
+             "\"off\".");
+    if (scene.load.side == BodySide::plus)
+      reject(scene.source, "load.volumes", "is enclosed below: load.side must be \"minus\".");
+  }
+  if (scene.modes > 0 && !has_bending(scene.body))
+    reject(scene.source, "modes",
+           "of a flat body without bending do not exist: nothing resists; say body.bending = "
+           "\"on\".");
+  if (scene.reference && !scene.reference->frequencies.empty() &&
+      scene.modes < int(scene.reference->frequencies.size()))
+    reject(scene.source, "reference.frequencies", "has more entries than \"modes\" asks for.");
+}
+
+}  // namespace
+
+bool is_body_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides)
+{
+  auto table = parse_toml(file, "scene file");
+  for (auto const& text : overrides) apply_override(table, text);
+  return table["fidelity"].value<std::string>() == word(Fidelity::structure);
+}
+
+BodyScene read_body_scene(std::filesystem::path const& file,
+                          std::vector<std::string> const& overrides)
+{
+  OpenScene open(file, overrides);
+  BodyScene scene = compose(open.root());
+  scene.source = open.close();
+  check(scene);
+  return scene;
+}
+
+std::vector<std::string> files_of(BodyScene const& scene)
+{
+  std::vector<std::string> files;
+  if (scene.reference) files.push_back(scene.reference->file);
+  for (auto const& solid : scene.solids) files.push_back(solid.file);
+  for (auto const& [name, material] : scene.materials) files.push_back(material.file);
+  std::erase(files, "");
+  return files;
+}
+
+double span(SoftBody const& body)
+{
+  return body.shape == BodyShape::disc || body.shape == BodyShape::tube
+             ? body.outer
+             : (body.outer - body.inner) / 2;
+}
+
+double slenderness(SoftBody const& body) { return largest_magnitude(body.thickness) / span(body); }
+
+bool has_bending(SoftBody const& body)
+{
+  return body.bending == Bending::on ||
+         (body.bending == Bending::auto_ && slenderness(body) >= bending_from);
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,86 @@
+#pragma once
+#include "cases/app/scene.hpp"
+
+namespace velum::cases {
+
+/// What a body is made of: line elements in the meridional plane or the plane, or triangles in
+/// space.
+enum class Elements { lines, triangles };
+enum class BodyShape { disc, annulus, strip, tube };
+enum class BodyRim { clamped, hinged };
+enum class Bending { auto_, on, off };
+enum class BodySide { minus, plus };
+enum class LoadScale { membrane, plate };
+
+/// A flat body across the first axis, or a tube about it, held along its whole rim. Lengths in
+/// metres.
+struct SoftBody {
+  Elements elements;
+  BodyShape shape;
+  std::string material;
+  double position = 0;      // of its plane along the first axis; of a tube's begin
+  double inner = 0, outer;  // disc, annulus: radii; tube: outer its radius; strip: range of y
+  double length = 0;        // tube: along the axis; strip of triangles: along z
+  Curve thickness;          // undeformed, over the radius or y; of a tube along the axis
+  double element;           // largest length of an element
+  BodyRim rim = BodyRim::clamped;
+  Bending bending = Bending::auto_;
+};
+
+/// The states that a run goes through: the pressures in their order, then the volumes.
+struct BodyLoad {
+  std::vector<double> pressures;  // on one side, towards the other
+  BodySide side = BodySide::minus;
+  std::vector<double> volumes;  // enclosed between the body and its undeformed state
+};
+
+/// What the deflection of the middle is compared with: a table of load and deflection, made
+/// dimensionless as
+///   membrane  p a / (mu H)       and  w / a
+///   plate     p a^4 / (64 D H)   and  w / H,   D = mu H^3 / 3
+/// a the radius or half the width of a strip, H the largest thickness.
+struct BodyReference {
+  std::string file{};
+  LoadScale scale = LoadScale::membrane;
+  std::optional<double> limit_load{};  // largest load on the path
+  std::vector<double> frequencies{};   // omega a^2 sqrt(rho H / D), the slowest first
+};
+
+/// A body alone under given loads, fidelity "structure": what the scene file says, in SI, checked.
+struct BodyScene {
+  std::string name;
+  SoftBody body;
+  std::map<std::string, Material> materials{};
+  std::vector<Solid> solids{};
+  std::optional<ContactPair> contact{};
+  BodyLoad load{};
+  int modes = 0;  // vibrations of the undeformed body to find
+  std::optional<BodyReference> reference{};
+  SceneFile source{};
+};
+
+/// Whether a scene file says fidelity = "structure".
+bool is_body_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides);
+
+/// Reads, merges the overrides into, and checks such a scene.
+/// @throws core::InputError  one sentence with file, line, key, what is wrong and what is allowed
+BodyScene read_body_scene(std::filesystem::path const& file,
+                          std::vector<std::string> const& overrides = {});
+
+/// Names of the files beside the scene that it reads.
+std::vector<std::string> files_of(BodyScene const& scene);
+
+inline Material const& material(BodyScene const& scene)
+{
+  return scene.materials.at(scene.body.material);
+}
+
+/// Radius, or half the width of a strip: what the body spans.
+double span(SoftBody const& body);
+
+/// Thickness over span: above the limit bending is on where the scene leaves it to the program.
+double slenderness(SoftBody const& body);
+constexpr double bending_from = 0.02;
+bool has_bending(SoftBody const& body);
+
+}  // namespace velum::cases

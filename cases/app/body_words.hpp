@@ -1,0 +1,36 @@
+#pragma once
+#include "cases/app/body_scene.hpp"
+#include "cases/app/scene_words.hpp"
+
+/// The words by which the scene of a body names a choice.
+namespace velum::cases {
+
+inline Words<Elements> words(Elements)
+{
+  return {{"lines", Elements::lines}, {"triangles", Elements::triangles}};
+}
+inline Words<BodyShape> words(BodyShape)
+{
+  return {{"disc", BodyShape::disc},
+          {"annulus", BodyShape::annulus},
+          {"strip", BodyShape::strip},
+          {"tube", BodyShape::tube}};
+}
+inline Words<BodyRim> words(BodyRim)
+{
+  return {{"clamped", BodyRim::clamped}, {"hinged", BodyRim::hinged}};
+}
+inline Words<Bending> words(Bending)
+{
+  return {{"auto", Bending::auto_}, {"on", Bending::on}, {"off", Bending::off}};
+}
+inline Words<BodySide> words(BodySide)
+{
+  return {{"minus", BodySide::minus}, {"plus", BodySide::plus}};
+}
+inline Words<LoadScale> words(LoadScale)
+{
+  return {{"membrane", LoadScale::membrane}, {"plate", LoadScale::plate}};
+}
+
+}  // namespace velum::cases
