@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace velum::core {
@@ -20,6 +21,15 @@ std::string readable_length(double metres)
 {
   auto const unit = readable_unit(metres);
   return fmt::format("{:.4g} {}", metres / unit.metres, unit.name);
+}
+
+std::string readable_place(double x, double y, double z)
+{
+  auto const unit = readable_unit(std::max({std::abs(x), std::abs(y), std::abs(z)}));
+  auto const in_unit = [&](double metres) {
+    return std::abs(metres) < 1e-9 * unit.metres ? 0.0 : metres / unit.metres;
+  };
+  return fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", in_unit(x), in_unit(y), in_unit(z), unit.name);
 }
 
 }  // namespace velum::core

@@ -9,6 +9,8 @@ void run_command(Options const& options);
 void check_command(Options const& options);
 /// velum stl: the report of an STL file on stdout; with a cut, its section as tables and picture.
 void stl_command(Options const& options);
+/// velum mesh: what is in a mesh file of Gmsh and how good its triangles are, on stdout.
+void mesh_command(Options const& options);
 /// velum chart: error against wall time of scenes over resolution, collision and precision; a CSV
 /// file, a picture and a line for each run.
 void chart_command(Options const& options);

@@ -46,6 +46,8 @@ void carry_out(cases::Options const& options)
       return cases::check_command(options);
     case cases::Command::stl:
       return cases::stl_command(options);
+    case cases::Command::mesh:
+      return cases::mesh_command(options);
     case cases::Command::chart:
       return cases::chart_command(options);
     case cases::Command::limits:

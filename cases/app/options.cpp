@@ -35,16 +35,21 @@ void add_set(CLI::App& command, Options& options)
       ->allow_extra_args(false);
 }
 
+void add_unit(CLI::App& command, Options& options)
+{
+  command
+      .add_option("--unit", options.unit,
+                  "What one unit of the file is, which it does not tell: mm, or \"25.4 mm\"")
+      ->required()
+      ->type_name("UNIT");
+}
+
 void add_stl(CLI::App& command, Options& options)
 {
   command.add_option("FILE", options.stl, "The STL file, binary or ASCII")
       ->required()
       ->type_name("");
-  command
-      .add_option("--unit", options.unit,
-                  "What one unit of the file is, which STL does not tell: mm, or \"25.4 mm\"")
-      ->required()
-      ->type_name("UNIT");
+  add_unit(command, options);
   command.add_option("--dx", options.dx, "Side of the lattice's cells: \"0.1 mm\"")
       ->required()
       ->type_name("LENGTH");
@@ -56,6 +61,18 @@ void add_stl(CLI::App& command, Options& options)
   command
       .add_option("--out", options.out, "Folder of the section (results/<name of the STL file>)")
       ->type_name("DIR");
+}
+
+void add_mesh(CLI::App& app, Options& options)
+{
+  auto* mesh = app.add_subcommand(
+      "mesh", "What is in a mesh file of Gmsh, and how good its triangles are for a membrane");
+  mesh->add_option("FILE", options.mesh, "The MSH file, version 2.2 or 4.1, binary or ASCII")
+      ->required()
+      ->type_name("");
+  add_unit(*mesh, options);
+  mesh->add_flag("--json", options.json, "For machines");
+  add_common(*mesh, options);
 }
 
 void add_scene(CLI::App& command, Options& options)
@@ -151,6 +168,7 @@ Command parsed(CLI::App const& app)
   return name == "run"      ? Command::run
          : name == "check"  ? Command::check
          : name == "stl"    ? Command::stl
+         : name == "mesh"   ? Command::mesh
          : name == "chart"  ? Command::chart
          : name == "limits" ? Command::limits
          : name == "fit"    ? Command::fit
@@ -193,6 +211,7 @@ CommandLine read_command_line(int argc, char const* const* argv)
       "stl", "Whether an STL file is a closed solid, and what a lattice would see of it");
   add_stl(*stl, options);
   add_common(*stl, options);
+  add_mesh(app, options);
   add_chart(app, options);
   add_limits(app, options);
   add_fit(app, options);
@@ -201,7 +220,7 @@ CommandLine read_command_line(int argc, char const* const* argv)
   auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
   add_common(*info, options);
 
-  std::vector<std::string> const commands{"run",    "check", "stl",   "chart",
+  std::vector<std::string> const commands{"run",    "check", "stl",   "mesh", "chart",
                                           "limits", "fit",   "bench", "info"};
   if (argc > 1 && argv[1][0] != '-' &&
       std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {

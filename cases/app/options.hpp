@@ -6,7 +6,7 @@
 
 namespace velum::cases {
 
-enum class Command { run, check, stl, chart, limits, fit, bench, info };
+enum class Command { run, check, stl, mesh, chart, limits, fit, bench, info };
 
 /// What the command line asks for.
 struct Options {
@@ -18,14 +18,14 @@ struct Options {
   bool quick = false;                         // fewer and coarser runs
   std::vector<std::string> set;               // "key=value"
   std::filesystem::path out;                  // empty: results/<name of the scene or STL file>
-  std::filesystem::path stl;                  // the STL file,
+  std::filesystem::path stl, mesh;            // the STL or the mesh file,
   std::string unit, dx, cut;  // its unit, the cells it is looked at with, "x=0.5 mm" or empty
   std::vector<std::filesystem::path> data;  // files of test data,
   std::string model;                        // the law to fit, empty for all,
   double from = 0, to = 20;                 // between these stretches,
   bool relative = false;                    // weighing each point by its own stress
   int threads = 0;                          // 0: all
-  bool json = false;                        // of bench
+  bool json = false;                        // of bench and mesh
   bool quiet = false;
   std::vector<std::string> kokkos;  // --kokkos-* arguments as they are
 };

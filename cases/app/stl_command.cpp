@@ -1,4 +1,5 @@
 #include "cases/app/commands.hpp"
+#include "cases/app/length_option.hpp"
 #include "cases/app/plot_script.hpp"
 #include "cases/app/section_picture.hpp"
 #include "core/check.hpp"
@@ -19,32 +20,6 @@ namespace velum::cases {
 namespace {
 
 constexpr double most_cells = 4e6;  // of a section: some seconds of distances, a readable picture
-
-/// The sentence of a bad value, with the option in front that it was given to.
-template <class Parse>
-auto parse_option(char const* option, Parse const& parse)
-{
-  try {
-    return parse();
-  } catch (core::InputError const& error) {
-    throw core::InputError(fmt::format("{}: {}", option, error.what()));
-  }
-}
-
-double positive_length(char const* option, std::string const& text)
-{
-  double const metres =
-      parse_option(option, [&] { return core::parse_quantity(text, core::Dimension::length); });
-  core::require(metres > 0, fmt::format("{}: \"{}\" is not a positive length.", option, text));
-  return metres;
-}
-
-/// "mm" or "25.4 mm".
-double file_unit(std::string const& text)
-{
-  bool const counted = text.find_first_of("0123456789") != std::string::npos;
-  return positive_length("--unit", counted ? text : "1 " + text);
-}
 
 bool is_plain_number(std::string_view text)
 {
