@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "ibm/sheet_contact.hpp"
 #include "ibm/region_pressure.hpp"
+#include "ibm/sheet_contact.hpp"
 #include "structure/static_solve.hpp"
 
 namespace velum::ibm {
