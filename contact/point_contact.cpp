@@ -29,6 +29,11 @@ core::Vec3 normal(PointContact const& c, core::Vec3 const& X)
 
 }  // namespace
 
+double pressing(PointContact const& c, std::size_t i, core::Vec3 const& X)
+{
+  return multiplier_of(c, i) - c.stiffness * (c.solid(X) - c.offset[i]);
+}
+
 Touch touch(PointContact const& c, std::size_t i, core::Vec3 const& X)
 {
   double const gap = c.solid(X) - c.offset[i];

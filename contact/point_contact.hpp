@@ -25,6 +25,9 @@ struct Touch {
   core::Vec3 normal;
 };
 
+/// lambda - k g: the traction where positive, minus the clearance (times k) where negative.
+double pressing(PointContact const& c, std::size_t i, core::Vec3 const& X);
+
 Touch touch(PointContact const& c, std::size_t i, core::Vec3 const& X);
 
 /// Derivative of the point's force A t n by its position, zero out of contact:

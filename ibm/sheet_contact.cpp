@@ -37,6 +37,13 @@ structure::Load contact_load(std::shared_ptr<contact::PointContact> const& conta
   };
 }
 
+void follow_thickness(contact::PointContact& contact, structure::Sheet const& sheet, double share)
+{
+  Eigen::VectorXd const thickness = structure::nodal_thickness(sheet, sheet.position);
+  for (std::size_t a = 0; a < contact.offset.size(); ++a)
+    contact.offset[a] += share * (thickness[static_cast<Eigen::Index>(a)] / 2 - contact.offset[a]);
+}
+
 std::vector<core::Vec3> node_places(Eigen::VectorXd const& x)
 {
   std::vector<core::Vec3> places;

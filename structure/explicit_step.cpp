@@ -85,7 +85,8 @@ ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
     for (int i = 0; i < d * d; ++i)
       s.diagonal.push_back(place_of(s.A, d * a + i % d, d * a + i / d));
   s.solver = std::make_unique<ExplicitStepper::Solver>();
-  s.solver->analyzePattern(s.A);
+  if (d == 3 && damping.beta > 0) s.solver->emplace<1>();
+  std::visit([&](auto& solver) { solver.analyzePattern(s.A); }, *s.solver);
   s.force = s.rhs = s.prescribed = s.mean = Eigen::VectorXd::Zero(d * nodes);
   return s;
 }
@@ -99,7 +100,7 @@ Eigen::VectorXd const& advance(ExplicitStepper& s, Body& m, Eigen::VectorXd cons
   double const h = dt / substeps;
   fill<d>(s, Z, h);
   restrain(s, m);
-  s.solver->factorize(s.A);
+  std::visit([&](auto& solver) { solver.factorize(s.A); }, *s.solver);
   s.mean.setZero();
 
   for (int n = 0; n < substeps; ++n) {
@@ -109,7 +110,7 @@ Eigen::VectorXd const& advance(ExplicitStepper& s, Body& m, Eigen::VectorXd cons
     for (int i = 0; i < s.rhs.size(); ++i)
       s.rhs[i] = m.fixed[i] ? m.velocity[i]
                             : s.mass[i / d] * m.velocity[i] + h * s.force[i] + s.prescribed[i];
-    m.velocity = s.solver->solve(s.rhs);
+    std::visit([&](auto& solver) { m.velocity = solver.solve(s.rhs); }, *s.solver);
     m.position += h * m.velocity;
     s.mean += m.velocity;
   }

@@ -4,18 +4,22 @@
 #include "structure/membrane.hpp"
 #include "structure/sheet.hpp"
 
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace velum::structure {
 
 /// What the explicit scheme keeps between calls: its matrices and its memory.
 struct ExplicitStepper {
-  using Solver =
-      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+  template <class Ordering>
+  using Ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Ordering>;
+  /// A chain's factors fill nothing as its nodes are numbered; those of a mesh would its bandwidth.
+  using Solver = std::variant<Ldlt<Eigen::NaturalOrdering<int>>, Ldlt<Eigen::AMDOrdering<int>>>;
   Rayleigh damping;
   Eigen::VectorXd mass;            ///< lumped                        [N]
   Eigen::SparseMatrix<double> K0;  ///< of the reference state

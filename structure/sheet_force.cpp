@@ -78,6 +78,16 @@ Eigen::VectorXd lumped_mass(Sheet const& s)
   return lump(s, [&](int e) { return s.density * s.thickness[e]; });
 }
 
+Eigen::VectorXd nodal_thickness(Sheet const& s, Eigen::VectorXd const& x)
+{
+  return lump(s,
+              [&](int e) {
+                auto const F = deformation_gradient(s, x, triangle_shape(s, e), e);
+                return s.thickness[e] / F.col(0).cross(F.col(1)).norm();
+              })
+      .cwiseQuotient(nodal_area(s));
+}
+
 Triplets consistent_mass(Sheet const& s)
 {
   Triplets entries;

@@ -15,6 +15,10 @@ double largest_stretch(Sheet const& s, Eigen::VectorXd const& x);
 Eigen::VectorXd nodal_area(Sheet const& s);
 Eigen::VectorXd lumped_mass(Sheet const& s);
 
+/// Current thickness at the nodes, of a solid that keeps its volume: the mean over the triangles
+/// around each, weighted with their undeformed area.   [N]
+Eigen::VectorXd nodal_thickness(Sheet const& s, Eigen::VectorXd const& x);
+
 /// Consistent mass: density times the integral of N_a N_b over the undeformed volume.   [3N][3N]
 Triplets consistent_mass(Sheet const& s);
 

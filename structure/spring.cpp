@@ -1,11 +1,14 @@
 #include "structure/spring.hpp"
 
 #include "core/check.hpp"
+#include "structure/triangle_element.hpp"
+#include "structure/triangle_part.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace velum::structure {
 namespace {
@@ -17,6 +20,13 @@ std::pair<double, double> part_within(double a, double b, double radius)
   if (a == b) return std::abs(a) <= radius ? std::pair{0.0, 1.0} : std::pair{1.0, 0.0};
   double const low = (-radius - a) / (b - a), high = (radius - a) / (b - a);
   return {std::max(0.0, std::min(low, high)), std::min(1.0, std::max(low, high))};
+}
+
+Eigen::VectorXd normalised(Eigen::VectorXd const& w)
+{
+  double const sum = w.sum();
+  core::require(sum > 0, "the spring's patch does not touch the membrane: enlarge its radius");
+  return w / sum;
 }
 
 }  // namespace
@@ -37,36 +47,65 @@ Eigen::VectorXd patch_weights(Membrane const& m, double radius)
       w[e + 1] += xi * area;
     }
   }
-  double const sum = w.sum();
-  core::require(sum > 0, "the spring's patch does not touch the membrane: enlarge its radius");
-  return w / sum;
+  return normalised(w);
 }
 
-double spring_force(Membrane const& m, Spring const& spring, Eigen::VectorXd const& weights,
+Eigen::VectorXd patch_weights(Sheet const& s, double radius)
+{
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(node_count(s));
+  for (int e = 0; e < element_count(s); ++e) {
+    auto const& t = s.triangles[static_cast<std::size_t>(e)];
+    Eigen::Vector3d inwards;
+    for (int a = 0; a < 3; ++a) {
+      Eigen::Vector3d const X = node3(s.reference, t[static_cast<std::size_t>(a)]);
+      inwards[a] = radius - std::hypot(X[1], X[2]);
+    }
+    Eigen::Vector3d const share =
+        triangle_shape(s, e).area * integral(part_above(inwards), Eigen::Vector4d::Ones());
+    for (int a = 0; a < 3; ++a) w[t[static_cast<std::size_t>(a)]] += share[a];
+  }
+  return normalised(w);
+}
+
+template <class Body>
+double spring_force(Body const& m, Spring const& spring, Eigen::VectorXd const& weights,
                     Eigen::VectorXd const& x)
 {
+  constexpr int d = Body::dimension;
   double away = 0;
-  for (int a = 0; a < node_count(m); ++a) away -= weights[a] * (x[2 * a] - m.reference[2 * a]);
+  for (int a = 0; a < node_count(m); ++a) away -= weights[a] * (x[d * a] - m.reference[d * a]);
   return -spring.stiffness * (spring.free_length - spring.installed_length - away);
 }
 
-Load spring_load(Membrane const& m, Spring const& spring)
+template <class Body>
+Load spring_load(Body const& m, Spring const& spring)
 {
+  constexpr int d = Body::dimension;
+  struct Share {
+    int dof;
+    double weight, reference;
+  };
+  std::vector<Share> patch;
   Eigen::VectorXd const w = patch_weights(m, spring.radius);
-  Eigen::VectorXd const reference = m.reference;
-  int used = static_cast<int>(w.size());
-  while (used > 0 && w[used - 1] == 0) --used;
-  return [w, reference, used, spring](Eigen::VectorXd const& x, Eigen::VectorXd& force,
-                                      Triplets* tangent) {
+  for (int a = 0; a < node_count(m); ++a)
+    if (w[a] > 0) patch.push_back({d * a, w[a], m.reference[d * a]});
+  return [patch, spring](Eigen::VectorXd const& x, Eigen::VectorXd& force, Triplets* tangent) {
     double away = 0;
-    for (int a = 0; a < used; ++a) away -= w[a] * (x[2 * a] - reference[2 * a]);
+    for (auto const& s : patch) away -= s.weight * (x[s.dof] - s.reference);
     double const preload = spring.free_length - spring.installed_length;
-    for (int a = 0; a < used; ++a) force[2 * a] -= spring.stiffness * (preload - away) * w[a];
+    for (auto const& s : patch) force[s.dof] -= spring.stiffness * (preload - away) * s.weight;
     if (!tangent) return;
-    for (int a = 0; a < used; ++a)
-      for (int b = 0; b < used; ++b)
-        tangent->emplace_back(2 * a, 2 * b, -spring.stiffness * w[a] * w[b]);
+    for (auto const& row : patch)
+      for (auto const& column : patch)
+        tangent->emplace_back(row.dof, column.dof, -spring.stiffness * row.weight * column.weight);
   };
 }
+
+template double spring_force(Membrane const&, Spring const&, Eigen::VectorXd const&,
+                             Eigen::VectorXd const&);
+template double spring_force(Sheet const&, Spring const&, Eigen::VectorXd const&,
+                             Eigen::VectorXd const&);
+template Load spring_load(Membrane const&, Spring const&);
+template Load spring_load(Sheet const&, Spring const&);
 
 }  // namespace velum::structure

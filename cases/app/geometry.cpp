@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/revolved.hpp"
+
 namespace velum::cases {
 namespace {
 
@@ -37,12 +39,8 @@ core::SignedDistance<3> unshifted_in_space(Solid const& s)
       return core::cylinder(s.from, s.to, s.radius);
     case SolidShape::stl:
       return s.surface;
-    case SolidShape::profile: {
-      auto const profile = core::polygon(s.points, s.round);
-      return [profile](Vec3 const& p) {
-        return core::distance(profile, {p[0], std::hypot(p[1], p[2])});
-      };
-    }
+    case SolidShape::profile:
+      return core::revolved(core::polygon(s.points, s.round));
     case SolidShape::disc:  // of a plane only
       break;
   }

@@ -1,4 +1,5 @@
 #include "core/check.hpp"
+#include "core/revolved.hpp"
 #include "core/signed_distance.hpp"
 
 #include <gtest/gtest.h>
@@ -57,6 +58,12 @@ void expect_exact(SignedDistance<3> const& distance)
 }
 
 TEST(SignedDistance, sphere_satisfies_the_eikonal_equation) { expect_exact(sphere({1, 0, -1}, 1)); }
+TEST(SignedDistance, revolved_disc_is_a_torus)
+{
+  auto const torus = revolved(disc({0.3, 1.5}, 0.5));
+  for (Vec3 const& p : points(2000))
+    EXPECT_NEAR(torus(p), std::hypot(p[0] - 0.3, std::hypot(p[1], p[2]) - 1.5) - 0.5, 1e-14);
+}
 TEST(SignedDistance, box_satisfies_the_eikonal_equation)
 {
   expect_exact(box<3>({-1, -2, 0}, {2, 1, 1.5}));

@@ -12,15 +12,13 @@
 //            keeps the energy of small vibrations
 #include <gtest/gtest.h>
 
-#include <Eigen/SparseCholesky>
 #include <array>
 #include <cmath>
 
 #include "structure/implicit_step.hpp"
-#include "structure/restrained.hpp"
 #include "structure/sheet_bending.hpp"
 #include "structure/sheet_mesh.hpp"
-#include "structure/total_stiffness.hpp"
+#include "tests/structure/lowest_mode.hpp"
 #include "tests/support/order.hpp"
 
 namespace velum::structure {
@@ -34,31 +32,6 @@ Sheet disc(int rings)
   Sheet s = make_sheet(mesh, H, neo_hookean_rubber(mu), density);
   for (int p : rim_points(mesh)) clamp(s, p);
   return s;
-}
-
-struct Mode {
-  double omega;
-  Eigen::VectorXd shape;  ///< largest entry 1
-};
-
-/// Inverse iteration.
-Mode lowest_mode(Sheet const& s, std::span<Load const> loads)
-{
-  auto const K = restrained(total_stiffness(s, s.position, loads), s.fixed);
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> const ldlt(K);
-  Eigen::VectorXd const nodal = lumped_mass(s);
-  Eigen::VectorXd mass(s.position.size()), x(s.position.size());
-  for (int i = 0; i < mass.size(); ++i) {
-    mass[i] = nodal[i / 3];
-    x[i] = i % 3 == 0 && !s.fixed[static_cast<std::size_t>(i)] ? 1 + 1e-3 * (i % 7) : 0;
-  }
-  double squared = 0;
-  for (int n = 0; n < 60; ++n) {
-    Eigen::VectorXd const next = ldlt.solve(mass.cwiseProduct(x));
-    squared = x.dot(mass.cwiseProduct(x)) / x.dot(mass.cwiseProduct(next));
-    x = next / next.cwiseAbs().maxCoeff();
-  }
-  return {std::sqrt(squared), x};
 }
 
 /// Stretched by l in its plane: tension per current length and mass per current area.
@@ -78,7 +51,7 @@ double membrane_omega(double l)
 TEST(SheetFrequency, of_a_stretched_membrane)
 {
   for (double l : {1.05, 1.5})
-    EXPECT_NEAR(lowest_mode(stretched(l, 12), {}).omega / membrane_omega(l), 1, 0.01) << l;
+    EXPECT_NEAR(tests::lowest_mode(stretched(l, 12), {}).omega / membrane_omega(l), 1, 0.01) << l;
 }
 
 TEST(SheetFrequency, of_a_clamped_plate)
@@ -87,8 +60,9 @@ TEST(SheetFrequency, of_a_clamped_plate)
   auto const bending = sheet_bending(s, Rim::clamped);
   std::array const loads{bending_load(bending)};
   double const D = mu * H * H * H / 3;
-  EXPECT_NEAR(lowest_mode(s, loads).omega / (10.2158 / (a * a) * std::sqrt(D / (density * H))), 1,
-              0.01);
+  EXPECT_NEAR(
+      tests::lowest_mode(s, loads).omega / (10.2158 / (a * a) * std::sqrt(D / (density * H))), 1,
+      0.01);
 }
 
 /// Time of a whole vibration, from the passages of the middle through the plane, with this many
@@ -96,7 +70,7 @@ TEST(SheetFrequency, of_a_clamped_plate)
 std::array<double, 2> vibrate(int steps, int periods)
 {
   Sheet s = stretched(1.2, 6);
-  auto const mode = lowest_mode(s, {});
+  auto const mode = tests::lowest_mode(s, {});
   double const period = 2 * std::numbers::pi / mode.omega, dt = period / steps;
   Eigen::VectorXd const mass = lumped_mass(s);
   double const rest = elastic_energy(s, s.position);

@@ -7,6 +7,8 @@
 #include "structure/internal_force.hpp"
 #include "structure/membrane.hpp"
 #include "structure/pressure_load.hpp"
+#include "structure/sheet_mesh.hpp"
+#include "structure/sheet_pressure.hpp"
 #include "structure/spring.hpp"
 #include "tests/support/derivatives.hpp"
 
@@ -45,6 +47,17 @@ TEST(Tangent, equals_finite_difference_for_every_force)
 
     EXPECT_LT(error(spring_load(m, {2, 3, 1, 0.47})), 1e-7);
   }
+}
+
+TEST(Tangent, equals_finite_difference_for_loads_of_a_sheet)
+{
+  Sheet s = make_sheet(disc_mesh(graded(0, 1, 3)), 0.1, neo_hookean_rubber(1), 1);
+  for (int i = 0; i < s.position.size(); ++i) s.position[i] += 0.05 * std::sin(17.0 * i);
+  EXPECT_LT(tangent_error(spring_load(s, {2, 3, 1, 0.47}), s.position), 1e-7);
+
+  CornerPressure pressure(3, element_count(s));
+  for (int i = 0; i < pressure.size(); ++i) pressure(i) = std::cos(5.0 * i);
+  EXPECT_LT(tangent_error(pressure_load(s, pressure), s.position), 1e-7);
 }
 
 TEST(ElasticForce, is_minus_the_gradient_of_the_energy)

@@ -9,6 +9,7 @@
 #include "structure/line_element.hpp"
 #include "structure/membrane.hpp"
 #include "structure/pressure_load.hpp"
+#include "structure/sheet_mesh.hpp"
 #include "structure/spring.hpp"
 
 #include <gtest/gtest.h>
@@ -105,12 +106,40 @@ TEST(Spring, presses_with_its_preload_and_gives_way)
   EXPECT_NEAR(force.sum(), -0.8132, 1e-12);
 }
 
+TEST(Spring, presses_a_sheet_as_it_does_a_membrane)
+{
+  Sheet s = make_sheet(disc_mesh(graded(0, 1, 9)), 0.1, neo_hookean_rubber(1), 1);
+  Spring const spring{100, 14e-3, 4.868e-3, 1.0 / 3};  // the third ring's radius
+  auto const w = patch_weights(s, spring.radius);
+  EXPECT_NEAR(w.sum(), 1, 1e-12);
+  double outside = 0;
+  for (int a = 0; a < node_count(s); ++a)
+    if (node3(s.reference, a).norm() > spring.radius * (1 + 1e-9)) outside += w[a];
+  EXPECT_NEAR(outside, 0, 1e-12);
+  for (int i : {1, 2}) {
+    double centre = 0;
+    for (int a = 0; a < node_count(s); ++a) centre += w[a] * node3(s.reference, a)[i];
+    EXPECT_NEAR(centre, 0, 1e-12);
+  }
+  for (int a = 0; a < node_count(s); ++a) s.position[3 * a] -= 1e-3;
+  EXPECT_NEAR(spring_force(s, spring, w, s.position), -0.8132, 1e-12);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(s.position.size());
+  spring_load(s, spring)(s.position, force, nullptr);
+  EXPECT_NEAR(force.sum(), -0.8132, 1e-12);
+}
+
 TEST(Spring, spreads_smoothly_with_its_radius)
 {
   auto const m = cap(core::Symmetry::axisymmetric);
   for (double const radius : {0.3, 0.35}) {
     double const step = 1e-7;
     auto const jump = (patch_weights(m, radius + step) - patch_weights(m, radius - step)).eval();
+    EXPECT_LT(jump.cwiseAbs().maxCoeff(), 20 * step);
+  }
+  Sheet const s = make_sheet(disc_mesh(graded(0, 1, 9)), 0.1, neo_hookean_rubber(1), 1);
+  for (double const radius : {0.3, 0.35}) {
+    double const step = 1e-7;
+    auto const jump = (patch_weights(s, radius + step) - patch_weights(s, radius - step)).eval();
     EXPECT_LT(jump.cwiseAbs().maxCoeff(), 20 * step);
   }
 }
