@@ -76,8 +76,8 @@ enum class Passes { both, first };
 /// the corners of the small triangles (1: the nodes). A uniform pressure reaches flat triangles of
 /// another size as nodal forces that are off by up to 1.8 times themselves with one part, 0.5 with
 /// two, 0.13 with three and 0.12 with four, of both bodies' points and sizes in the ratio 2 : 3;
-/// the resultant is exact. Points of the finer body alone are better by half, of the coarser alone
-/// worse by as much.
+/// the resultant is exact. The coarser body's points alone make it twice as much, the finer's half
+/// or less.
 struct PointLayout {
   Passes passes = Passes::both;
   int per_side = 3;
@@ -128,7 +128,10 @@ TouchForce force(SurfaceContact const& c, SurfaceTouch const& t);
 Matrix12 tangent(SurfaceContact const& c, SurfaceTouch const& t,
                  std::vector<core::Vec3> const& place);
 
-/// Uzawa's update of all multipliers (augmented_lagrangian.hpp). Returns the largest change.
+/// Uzawa's update of all multipliers (augmented_lagrangian.hpp). Returns the largest change. Points
+/// of both bodies, or more of them than nodes, hold back more than the nodes can move: penetration
+/// and resultant are exact then, a single multiplier is not. For pressures take one part per side,
+/// and the points of one body.
 double update_multipliers(SurfaceContact& c, std::vector<core::Vec3> const& place);
 
 /// What touches in all. Energy is that of the penalty where there are no multipliers.

@@ -9,9 +9,9 @@
 // tolerance: 0.3 H (of H / 2 to the wall's face); 0.4 H; 0.5 H (of H to the middle); 5 % of the
 //            momentum. With the long step nodes do pass
 // why:       four times the stiffness halves the depth: 0.25 H at the wall, 0.37 H between two
-//            sheets; bounces of omega dt = 1/2 were off by up to 2.2 %, of the implicit scheme, which
-//            damps, by 2.8 %; a step of three thicknesses jumps over the wall, which shows that the
-//            measure can fail
+//            sheets; bounces of omega dt = 1/2 were off by up to 2.2 %, those of the implicit
+//            scheme, which damps, by 2.8 %; a step of three thicknesses jumps over the wall, which
+//            shows that the measure can fail
 #include <gtest/gtest.h>
 
 #include <array>
