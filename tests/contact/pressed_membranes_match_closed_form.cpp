@@ -12,7 +12,7 @@
 // of
 //            the area that touches less c, its order; with multipliers the penetration, and
 //            traction x gap over the largest traction and d
-// tolerance: plane: force 0.2 %, u 1e-3 and order above 1.6, radius half an element +- 10 % of it,
+// tolerance: plane: force 0.2 %, u 1e-3 and order above 1.7, radius half an element +- 10 % of it,
 // order
 //            1 +- 0.1; drums, 12 and 9 rings: force 1 %, u 0.02; multipliers: a hundredth of the
 //            penalty's penetration, 1e-4
