@@ -9,6 +9,8 @@ namespace velum::structure {
 /// of five. The shear modulus at rest is mu = 2 (c10 + c01), Young's 3 mu.
 struct MooneyRivlin {
   double c10 = 0, c01 = 0, c20 = 0, c11 = 0, c02 = 0;  ///< pressure
+
+  bool operator==(MooneyRivlin const&) const = default;
 };
 
 constexpr MooneyRivlin neo_hookean_rubber(double shear_modulus)

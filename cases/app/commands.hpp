@@ -16,6 +16,9 @@ void mesh_command(Options const& options);
 void chart_command(Options const& options);
 /// velum limits: largest stable Reynolds and Mach numbers of every collision; the same.
 void limits_command(Options const& options);
+/// velum limits contact_penalty: penetration, errors and work of a contact over its stiffness; the
+/// same.
+void contact_penalty_command(Options const& options);
 /// velum fit: laws of rubber from files of test data; a report, material cards, tables, a picture.
 void fit_command(Options const& options);
 /// velum bench: speed of the lattice step, and of the memory, on stdout.

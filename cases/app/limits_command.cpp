@@ -24,6 +24,7 @@ LimitMap const& find_map(std::string const& name)
   if (found != maps.end()) return *found;
   std::vector<std::string> names;
   for (auto const& map : maps) names.push_back(map.name);
+  names.push_back("contact_penalty");
   std::string const near = core::nearest(name, names);
   throw core::InputError(fmt::format(
       "limits: {} is not a map{} Maps: {}.", name,
@@ -48,6 +49,7 @@ void print(LimitRow const& row)
 
 void limits_command(Options const& options)
 {
+  if (options.map == "contact_penalty") return contact_penalty_command(options);
   auto const& map = find_map(options.map);
   int const cells = options.cells > 0 ? options.cells : options.quick ? map.cells / 2 : map.cells;
   auto const out = core::make_folder(options.out.empty()

@@ -109,19 +109,24 @@ void add_limits(CLI::App& app, Options& options)
 {
   auto* limits = app.add_subcommand(
       "limits",
-      "Largest stable Reynolds and Mach numbers of each collision, with LES and without; CSV and "
-      "picture");
+      "Largest stable Reynolds and Mach numbers of each collision, with LES and without; or what a "
+      "contact's stiffness costs and gives; CSV and picture");
   limits
-      ->add_option("MAP", options.map, "The flow to try: shear_layer, taylor_green, pressure_step")
+      ->add_option("MAP", options.map,
+                   "The flow to try: shear_layer, taylor_green, pressure_step; or contact_penalty: "
+                   "penetration, errors and linear solves over the stiffness, by penalty and by "
+                   "augmented Lagrangian")
       ->required()
       ->type_name("");
   limits
       ->add_option("--cells", options.cells,
-                   "Cells across the flow (64, in space 32; half with --quick)")
+                   "Cells across the flow (64, in space 32; half with --quick); of contact_penalty "
+                   "rings of triangles (22; 12 with --quick)")
       ->check(CLI::Range(8, 4096))
       ->type_name("N");
   add_out(*limits, options, "results/limits_<MAP>");
-  limits->add_flag("--quick", options.quick, "Half the cells, at one Mach number");
+  limits->add_flag("--quick", options.quick,
+                   "Half the cells, at one Mach number; one stiffness in each decade");
   add_common(*limits, options);
 }
 

@@ -93,13 +93,52 @@ TEST(Limits, CentralMomentsOutliveBgk)
   EXPECT_GT(limit(cases::Collision::central_moments).reynolds, 100 * bgk.reynolds);
 }
 
+/// The numbers of one line of the table of contact_penalty, behind the method.
+std::vector<double> penalty_row(std::string const& table, std::string const& start)
+{
+  auto const at = table.find("\n" + start);
+  EXPECT_NE(at, std::string::npos) << start;
+  std::istringstream line(table.substr(table.find(',', at) + 1));
+  std::vector<double> numbers;
+  char comma = ',';
+  for (double number; comma == ',' && line >> number; line.get(comma)) numbers.push_back(number);
+  return numbers;
+}
+
+// What presses by p goes p / k in; the multipliers take that back, for a few more solves.
+TEST(Limits, ContactPenaltyShowsWhatEachMethodCosts)
+{
+  enum { stiffness, penetration, force, force_error, largest, largest_error, solves, linear };
+  TemporaryFolder const out;
+  auto const run = velum_program("limits contact_penalty --quick --cells 8 --threads 1 --out " +
+                                 out.path.string());
+  ASSERT_EQ(run.exit_code, 0) << run.text;
+  auto const table = read(out.path / "penalty.csv");
+  EXPECT_EQ(lines(table), 1 + 2 * 4) << table;
+  double before = 0;
+  for (std::string const k : {"1e+09", "1e+10", "1e+11", "1e+12"}) {
+    auto const soft = penalty_row(table, "penalty," + k);
+    auto const exact = penalty_row(table, "augmented_lagrangian," + k);
+    ASSERT_EQ(soft.size(), 8u) << table;
+    ASSERT_EQ(exact.size(), 8u) << table;
+    if (before > 0) {
+      EXPECT_NEAR(before / soft[penetration], 10, 1) << k;
+    }
+    before = soft[penetration];
+    EXPECT_LT(exact[penetration], 1e-10) << k;
+    EXPECT_LT(exact[force_error], 1e-6) << k;
+    EXPECT_GT(soft[force_error], 10 * exact[force_error]) << k;
+    EXPECT_GT(exact[linear], soft[linear]) << k;
+  }
+}
+
 TEST(Limits, BadInputIsASentence)
 {
   auto const outcome = velum_program("limits shear_leyer");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.text,
             "limits: shear_leyer is not a map; did you mean \"shear_layer\"? Maps: shear_layer, "
-            "taylor_green or pressure_step.\n");
+            "taylor_green, pressure_step or contact_penalty.\n");
   EXPECT_EQ(velum_program("limits shear_layer --cells 2").exit_code, 2);
 }
 
