@@ -29,6 +29,7 @@ struct Coupled {
   core::Obstacle walls;                // all rigid solids
   FacePressure pressure;
   Scheme scheme = Scheme::implicit;
+  bool one_way = false;  // the membrane drives the fluid and does not feel it
   int substeps = 1;
   Ledger ledger;
 };

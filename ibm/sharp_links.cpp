@@ -188,8 +188,9 @@ void recut(Sharp<Real>& body)
 template <class Real>
 double seat_crossing(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid)
 {
-  int const row = static_cast<int>(std::lround(body.divide - fluid.origin[1]));
-  if (row < 1 || row >= fluid.ny) return 0;
+  double const edge = body.divide - fluid.origin[1];
+  if (edge < 0.5 || edge > fluid.ny - 0.5) return 0;  // no seat in the box
+  int const row = std::min(static_cast<int>(std::lround(edge)), fluid.ny - 1);
   lbm::Fluid<Real> const from = fluid;
   int const nx = fluid.nx;
   double const ring = core::ring(fluid.symmetry, fluid.origin[1] + row);

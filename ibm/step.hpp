@@ -35,6 +35,10 @@ template <class Real, template <class> class Body>
 Eigen::VectorXd advance(Coupled<Real, Body>& s)
 {
   Exchange& e = s.body.exchange;
+  if (s.one_way) {
+    e.force.setZero();
+    return structure::advance(s.stepper, s.membrane, e.force, {}, 1.0, s.substeps, s.loads);
+  }
   if (s.scheme == Scheme::implicit)
     return structure::advance(s.stepper, s.membrane, e.force, e.block, 1.0, s.substeps, s.loads);
   Eigen::VectorXd const old = s.membrane.velocity;

@@ -22,6 +22,18 @@ Eigen::SparseMatrix<double> uncoupled_nodes(int nodes, int d)
   return matrix;
 }
 
+template <class Body>
+Eigen::SparseMatrix<double> stiffness_at_rest(Body const& m, std::span<Load const> loads)
+{
+  Triplets entries;
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(m.reference.size());
+  for (auto const& load : loads) load(m.reference, unused, &entries);
+  for (auto& t : entries) t = {t.row(), t.col(), -t.value()};
+  Eigen::SparseMatrix<double> K(unused.size(), unused.size());
+  K.setFromTriplets(entries.begin(), entries.end());
+  return K;
+}
+
 int place_of(Eigen::SparseMatrix<double> const& matrix, int row, int column)
 {
   int k = matrix.outerIndexPtr()[column];
@@ -71,7 +83,7 @@ ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping)
 
 template <class Body>
 ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
-                                 Eigen::VectorXd const& state)
+                                 Eigen::VectorXd const& state, std::span<Load const> elastic)
 {
   constexpr int d = Body::dimension;
   int const nodes = node_count(m);
@@ -79,6 +91,7 @@ ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
   s.damping = damping;
   s.mass = lumped_mass(m);
   s.K0 = damping.beta > 0 ? damping_stiffness(m, state) : uncoupled_nodes(nodes, d);
+  if (damping.beta > 0 && !elastic.empty()) s.K0 += stiffness_at_rest(m, elastic);
   s.K0.makeCompressed();
   s.A = s.K0;
   for (int a = 0; a < nodes; ++a)
@@ -126,8 +139,10 @@ Eigen::VectorXd const& advance(ExplicitStepper& s, Body& m, Eigen::VectorXd cons
 
 template ExplicitStepper explicit_stepper(Membrane const&, Rayleigh const&);
 template ExplicitStepper explicit_stepper(Sheet const&, Rayleigh const&);
-template ExplicitStepper explicit_stepper(Membrane const&, Rayleigh const&, Eigen::VectorXd const&);
-template ExplicitStepper explicit_stepper(Sheet const&, Rayleigh const&, Eigen::VectorXd const&);
+template ExplicitStepper explicit_stepper(Membrane const&, Rayleigh const&, Eigen::VectorXd const&,
+                                          std::span<Load const>);
+template ExplicitStepper explicit_stepper(Sheet const&, Rayleigh const&, Eigen::VectorXd const&,
+                                          std::span<Load const>);
 template Eigen::VectorXd const& advance(ExplicitStepper&, Membrane&, Eigen::VectorXd const&,
                                         std::span<Eigen::Matrix2d const>, double, int,
                                         std::span<Load const>);

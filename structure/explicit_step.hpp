@@ -39,10 +39,11 @@ template <class Body>
 ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping);
 
 /// The same with the stiffness of a given state: without bending the flat state has no stiffness
-/// across, and beta would damp stretching alone.   state: [2N]
+/// across, and beta would damp stretching alone.   state: [2N or 3N]
+/// @param elastic  loads of the body's own (bending), whose stiffness at rest is damped too
 template <class Body>
 ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
-                                 Eigen::VectorXd const& state);
+                                 Eigen::VectorXd const& state, std::span<Load const> elastic = {});
 
 /// Advances position and velocity by dt in equal sub-steps of length h, symplectic Euler with the
 /// damping and the wall block Z implicit in the velocity:

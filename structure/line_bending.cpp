@@ -158,4 +158,10 @@ Load bending_load(LineBending const& bending)
   };
 }
 
+Load bending_load(std::shared_ptr<LineBending const> b)
+{
+  return [b, load = bending_load(*b)](Eigen::VectorXd const& x, Eigen::VectorXd& force,
+                                      Triplets* tangent) { load(x, force, tangent); };
+}
+
 }  // namespace velum::structure

@@ -3,6 +3,7 @@
 #include "structure/membrane.hpp"
 #include "structure/sheet_bending.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace velum::structure {
@@ -32,7 +33,8 @@ LineBending line_bending(Membrane const& m, Rim rim);
 
 double bending_energy(LineBending const& b, Eigen::VectorXd const& x);
 
-/// The bending as a load, with its exact tangent. Keeps b by reference.
+/// The bending as a load, with its exact tangent. Keeps b by reference, or shares it.
 Load bending_load(LineBending const& b);
+Load bending_load(std::shared_ptr<LineBending const> b);
 
 }  // namespace velum::structure

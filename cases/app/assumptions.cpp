@@ -35,6 +35,19 @@ std::string les_in_words(Scene const& scene, double smagorinsky)
 
 }  // namespace
 
+std::string bending_in_words(Bending asked, bool on, double slenderness, std::string const& rim)
+{
+  std::string const why = asked == Bending::auto_
+                              ? fmt::format("thickness over span is {:.3g}, {} {:.3g}", slenderness,
+                                            on ? "not below" : "below", bending_from)
+                              : "as the scene says";
+  return on ? fmt::format("on ({}): rotation-free, D = mu H^3 / 3, rim {}", why, rim)
+            : fmt::format(
+                  "off ({}): a membrane without stiffness in bending, whose rim turns "
+                  "freely",
+                  why);
+}
+
 double smagorinsky_constant(Scene const& scene, bool sealed)
 {
   if (scene.les.model == LesModel::off) return 0;
@@ -69,13 +82,23 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
   }
   if (scene.membrane) {
     auto const& m = scene.materials.at(scene.membrane->material);
-    a["membrane"] = material_in_words(m) + ", no bending stiffness";
+    a["membrane"] = material_in_words(m);
+    a["bending"] = bending_in_words(scene.membrane->bending, has_bending(*scene.membrane),
+                                    slenderness(*scene.membrane), word(scene.membrane->rim));
+    if (scene.membrane->centre)
+      a["centre"] = fmt::format("moved as given out to {:.4g} mm from the axis",
+                                1e3 * scene.membrane->centre->radius);
     a["damping"] = fmt::format(
-        "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the state the march starts from "
-        "(the "
-        "flat membrane, without bending, would have none across)",
-        m.damping_mass, m.damping_stiffness);
-    a["coupling"] = fmt::format("{}, {}", word(scene.coupling.method), word(scene.coupling.scheme));
+        "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the state the march starts from{}",
+        m.damping_mass, m.damping_stiffness,
+        has_bending(*scene.membrane)
+            ? ""
+            : " (the flat membrane, without bending, would have none across)");
+    a["coupling"] =
+        scene.coupling.feedback == Feedback::one_way
+            ? fmt::format("{}, one way: the membrane drives the fluid and does not feel it",
+                          word(scene.coupling.method))
+            : fmt::format("{}, {}", word(scene.coupling.method), word(scene.coupling.scheme));
   }
   if (scene.contact) {
     a["contact"] = fmt::format("frictionless, {}", word(scene.contact->method));

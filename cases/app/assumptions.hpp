@@ -9,6 +9,10 @@ namespace velum::cases {
 /// at rest has nothing to act on.
 double smagorinsky_constant(Scene const& scene, bool sealed);
 
+/// Whether a body of this thickness over span bends, and why.
+/// @param rim  the word for how its rim is held
+std::string bending_in_words(Bending asked, bool on, double slenderness, std::string const& rim);
+
 /// What a run assumes and chose by itself, in words; printed at its start, kept with its result.
 core::Assumptions assumptions(Scene const& scene, Derived const& derived, double smagorinsky);
 

@@ -1,3 +1,4 @@
+#include "cases/app/assumptions.hpp"
 #include "cases/app/body_model.hpp"
 #include "cases/app/body_run.hpp"
 #include "cases/app/body_words.hpp"
@@ -16,15 +17,8 @@ core::Assumptions body_assumptions(BodyScene const& scene)
                       ? "line elements, two nodes"
                       : "flat triangles of constant strain, three nodes, in space";
   a["material"] = material_in_words(material(scene)) + "; plane stress, thickness follows";
-  std::string const why =
-      body.bending == Bending::auto_
-          ? fmt::format("thickness over span is {:.3g}, {} {:.3g}", slenderness(body),
-                        has_bending(body) ? "not below" : "below", bending_from)
-          : "as the scene says";
-  a["bending"] = has_bending(body)
-                     ? fmt::format("on ({}): rotation-free, D = mu H^3 / 3", why)
-                     : fmt::format("off ({}): a membrane without stiffness in bending", why);
-  a["rim"] = has_bending(body) ? word(body.rim) : "held in place; without bending it turns freely";
+  a["bending"] =
+      bending_in_words(body.bending, has_bending(body), slenderness(body), word(body.rim));
   a["scheme"] = scene.load.volumes.empty()
                     ? "static: Newton with the exact tangent, loads raised in steps where needed"
                     : "static: Newton with the exact tangent; from the first given volume on the "

@@ -124,8 +124,8 @@ BodyModel<Body>::BodyModel(BodyScene const& scene) : span(cases::span(scene.body
   set_pressure(scene.load.side, 0);
   loads.push_back(structure::pressure_load(body, pressure));
   if (has_bending(scene.body)) {
-    bending = bending_of(body, scene.body.rim == BodyRim::clamped ? structure::Rim::clamped
-                                                                  : structure::Rim::hinged);
+    bending = bending_of(body, scene.body.rim == cases::Rim::clamped ? structure::Rim::clamped
+                                                                     : structure::Rim::hinged);
     loads.push_back(structure::bending_load(bending));
   }
   if (scene.contact) {

@@ -50,6 +50,7 @@ BodyOutput start_output(BodyScene const& scene, std::filesystem::path const& fol
                              {{"pressure", "Pa"},
                               {"volume", "m3"},
                               {"deflection", "m"},
+                              {"deflection_reference", "m"},
                               {"stretch_max", "1"},
                               {"seat_force", "N"},
                               {"contact_area", "m2"},
@@ -65,8 +66,8 @@ template <class Body>
 void record(BodyOutput& out, BodyModel<Body> const& model, BodyState const& s, int number)
 {
   core::append(out.series, number,
-               {s.pressure, s.volume, s.deflection, s.stretch_max, s.force, s.area, s.pressure_max,
-                s.penetration, double(s.iterations)});
+               {s.pressure, s.volume, s.deflection, s.reference, s.stretch_max, s.force, s.area,
+                s.pressure_max, s.penetration, double(s.iterations)});
   auto const before = places(model.body, model.body.reference);
   auto const after = places(model.body, model.body.position);
   draw(out, model.body, before, after, number);

@@ -17,6 +17,13 @@ double bending_stiffness(BodyScene const& scene)
   return structure::shear_modulus(material(scene).rubber) * H * H * H / 3;
 }
 
+/// mu H a
+double unit_force(BodyScene const& scene)
+{
+  return structure::shear_modulus(material(scene).rubber) *
+         largest_magnitude(scene.body.thickness) * span(scene.body);
+}
+
 }  // namespace
 
 BodyTable load_body_table(BodyScene const& scene)
@@ -31,27 +38,31 @@ BodyTable load_body_table(BodyScene const& scene)
                               table.lines[row]));
     read.load.push_back(*load);
     read.deflection.push_back(*deflection);
+    read.force.push_back(number(table, row, "force"));
   }
   return read;
 }
 
-Vec2 dimensionless(BodyScene const& scene, BodyState const& state)
+double load_of(BodyScene const& scene, BodyState const& state)
 {
   double const a = span(scene.body), H = largest_magnitude(scene.body.thickness);
-  if (scene.reference->scale == LoadScale::plate)
-    return {state.pressure * std::pow(a, 4) / (64 * bending_stiffness(scene) * H),
-            state.deflection / H};
-  return {state.pressure * a / (structure::shear_modulus(material(scene).rubber) * H),
-          state.deflection / a};
+  return scene.reference->scale == LoadScale::plate
+             ? state.pressure * std::pow(a, 4) / (64 * bending_stiffness(scene) * H)
+             : state.pressure * a / (structure::shear_modulus(material(scene).rubber) * H);
 }
 
-std::optional<double> deflection_error(BodyScene const& scene, BodyTable const& table,
-                                       BodyState const& state)
+double unit_deflection(BodyScene const& scene)
 {
-  auto const [load, deflection] = dimensionless(scene, state).c;
+  return scene.reference->scale == LoadScale::plate ? largest_magnitude(scene.body.thickness)
+                                                    : span(scene.body);
+}
+
+std::optional<std::size_t> row_of(BodyScene const& scene, BodyTable const& table,
+                                  BodyState const& state)
+{
+  double const load = load_of(scene, state);
   for (std::size_t k = 0; k < table.load.size(); ++k)
-    if (std::abs(load / table.load[k] - 1) < 1e-6)
-      return std::abs(deflection) / table.deflection[k] - 1;
+    if (std::abs(load / table.load[k] - 1) < 1e-6) return k;
   return {};
 }
 
@@ -60,19 +71,22 @@ std::vector<core::Figure> compare(BodyScene const& scene, BodyTable const& table
 {
   auto const& reference = *scene.reference;
   std::vector<core::Figure> figures;
-  double last = std::nan(""), largest = 0, limit = 0;
+  double last = std::nan(""), largest = 0, limit = 0, force = std::nan("");
   int compared = 0;
   for (auto const& state : result.states) {
-    limit = std::max(limit, dimensionless(scene, state)[0]);
-    auto const error = deflection_error(scene, table, state);
-    if (!error) continue;
-    last = *error;
+    limit = std::max(limit, load_of(scene, state));
+    auto const row = row_of(scene, table, state);
+    if (!row) continue;
+    last = std::abs(state.deflection) / (table.deflection[*row] * unit_deflection(scene)) - 1;
     largest = std::max(largest, std::abs(last));
+    if (auto const wanted = table.force[*row])
+      force = state.force / (*wanted * unit_force(scene)) - 1;
     ++compared;
   }
   if (compared > 0) {
     figures.push_back({"pole_deflection_error", last, "1"});
     figures.push_back({"pole_deflection_error_max", largest, "1"});
+    if (!std::isnan(force)) figures.push_back({"seat_force_error", force, "1"});
   }
   figures.push_back({"states_compared", double(compared), "1"});
   if (reference.limit_load) {

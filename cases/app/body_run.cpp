@@ -72,8 +72,8 @@ auto at_state(std::size_t k, std::string const& what, Solve const& solve)
 }
 
 template <class Body>
-BodyResult solve(BodyScene const& scene, BodyModel<Body>& model, BodyOutput& out,
-                 StretchRecord& stretch)
+BodyResult solve(BodyScene const& scene, BodyModel<Body>& model, BodyTable const& table,
+                 BodyOutput& out, StretchRecord& stretch)
 {
   BodyResult result;
   auto const inflation = structure::inflation(model.body);
@@ -91,6 +91,9 @@ BodyResult solve(BodyScene const& scene, BodyModel<Body>& model, BodyOutput& out
       state.penetration = seat.penetration;
       state.pressure_max = seat.pressure_max;
     }
+    if (auto const row = scene.reference ? row_of(scene, table, state) : std::nullopt)
+      state.reference =
+          std::copysign(table.deflection[*row] * unit_deflection(scene), state.deflection);
     result.states.push_back(state);
     record(out, model, state, int(result.states.size()));
     spdlog::info("state {}: pressure {:.6g} Pa, volume {:.6g} mm3, deflection {:.6g} mm",
@@ -153,7 +156,7 @@ void run_as(BodyScene const& scene, std::filesystem::path const& folder)
   BodyModel<Body> model(scene);
   auto out = start_output(scene, folder);
   StretchRecord stretch;
-  auto const result = solve(scene, model, out, stretch);
+  auto const result = solve(scene, model, table, out, stretch);
   double const wall_time =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   auto summary = summary_of(scene, result, table, wall_time);

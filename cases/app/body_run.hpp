@@ -2,6 +2,8 @@
 #include "cases/app/body_scene.hpp"
 #include "core/output/summary.hpp"
 
+#include <limits>
+
 namespace velum::cases {
 
 /// One state of a body in equilibrium, SI.
@@ -11,6 +13,7 @@ struct BodyState {
   double stretch_max;  // largest of all stretches
   double force = 0, area = 0, penetration = 0, pressure_max = 0;  // what the seat carries
   int iterations = 0;                                             // linear solves
+  double reference = std::numeric_limits<double>::quiet_NaN();    // deflection to be met
 };
 
 /// What a run of a body found.
@@ -30,15 +33,17 @@ core::Assumptions body_assumptions(BodyScene const& scene);
 /// The table that the scene's reference names, made dimensionless as its scale says.
 struct BodyTable {
   std::vector<double> load, deflection;
+  std::vector<std::optional<double>> force;  // of the seat, over mu H a
 };
 BodyTable load_body_table(BodyScene const& scene);
 
-/// Load and deflection of a state in that scale.
-Vec2 dimensionless(BodyScene const& scene, BodyState const& state);
+/// Load of a state in that scale, and the length of its deflections, m.
+double load_of(BodyScene const& scene, BodyState const& state);
+double unit_deflection(BodyScene const& scene);
 
-/// Relative error of a state's deflection; nothing where the table has no such load (to 1e-6).
-std::optional<double> deflection_error(BodyScene const& scene, BodyTable const& table,
-                                       BodyState const& state);
+/// Row of the table with a state's load (to 1e-6); nothing where there is none.
+std::optional<std::size_t> row_of(BodyScene const& scene, BodyTable const& table,
+                                  BodyState const& state);
 
 /// Errors against the reference, for the summary.
 std::vector<core::Figure> compare(BodyScene const& scene, BodyTable const& table,

@@ -49,7 +49,7 @@ SoftBody read_body(SceneTable table)
       .outer = 0,
       .thickness = table.curve("thickness", Dimension::length, Dimension::length, Sign::positive),
       .element = table.quantity("element", Dimension::length, Sign::positive),
-      .rim = table.choice<BodyRim>("rim", BodyRim::clamped),
+      .rim = table.choice<Rim>("rim", Rim::clamped),
       .bending = table.choice<Bending>("bending", Bending::auto_)};
   if (body.elements == Elements::lines && body.shape != BodyShape::disc &&
       body.shape != BodyShape::strip)

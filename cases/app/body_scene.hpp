@@ -7,8 +7,6 @@ namespace velum::cases {
 /// space.
 enum class Elements { lines, triangles };
 enum class BodyShape { disc, annulus, strip, tube };
-enum class BodyRim { clamped, hinged };
-enum class Bending { auto_, on, off };
 enum class BodySide { minus, plus };
 enum class LoadScale { membrane, plate };
 
@@ -23,7 +21,7 @@ struct SoftBody {
   double length = 0;        // tube: along the axis; strip of triangles: along z
   Curve thickness;          // undeformed, over the radius or y; of a tube along the axis
   double element;           // largest length of an element
-  BodyRim rim = BodyRim::clamped;
+  Rim rim = Rim::clamped;
   Bending bending = Bending::auto_;
 };
 
@@ -78,9 +76,7 @@ inline Material const& material(BodyScene const& scene)
 /// Radius, or half the width of a strip: what the body spans.
 double span(SoftBody const& body);
 
-/// Thickness over span: above the limit bending is on where the scene leaves it to the program.
 double slenderness(SoftBody const& body);
-constexpr double bending_from = 0.02;
 bool has_bending(SoftBody const& body);
 
 }  // namespace velum::cases

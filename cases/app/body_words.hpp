@@ -16,14 +16,6 @@ inline Words<BodyShape> words(BodyShape)
           {"strip", BodyShape::strip},
           {"tube", BodyShape::tube}};
 }
-inline Words<BodyRim> words(BodyRim)
-{
-  return {{"clamped", BodyRim::clamped}, {"hinged", BodyRim::hinged}};
-}
-inline Words<Bending> words(Bending)
-{
-  return {{"auto", Bending::auto_}, {"on", Bending::on}, {"off", Bending::off}};
-}
 inline Words<BodySide> words(BodySide)
 {
   return {{"minus", BodySide::minus}, {"plus", BodySide::plus}};

@@ -38,6 +38,15 @@ double volume_residual(Certificate const& c)
 
 std::vector<core::Figure> figures(Certificate const& c)
 {
+  if (c.driven) {
+    auto f = figures(*c.driven);
+    f.insert(f.end(), {{"stretch_max", c.stretch_max, "1"},
+                       {"speed_max", c.speed_max, "m/s"},
+                       {"mach_max", c.mach_max, "1"},
+                       {"wall_time", c.wall_time, "s"},
+                       {"mlups", c.mlups, "1e6/s"}});
+    return f;
+  }
   Leak const l = leak(c);
   double const p = c.inlet - c.outlet;
   std::vector<core::Figure> f = {
@@ -75,6 +84,7 @@ std::vector<core::Figure> figures(Certificate const& c)
 
 std::string certificate_text(Certificate const& c)
 {
+  if (c.driven) return record_text(*c.driven);
   Leak const l = leak(c);
   double const p = c.inlet - c.outlet;
   double const deflection = c.centre_start - c.settled.centre;

@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
 #include <string>
 
+#include "cases/app/driven_record.hpp"
 #include "cases/app/measurement.hpp"
 #include "core/output/summary.hpp"
 
@@ -18,6 +20,7 @@ struct Certificate {
   double eddy_mean = 0, eddy_max = 0;  // m2/s
   double wall_time = 0, mlups = 0;
   bool has_shut = false;
+  std::optional<DrivenRecord> driven{};  // in place of what a closed valve shows
 };
 
 /// Flow through the seat that the certificate compares leaks with: the paper's 200 l/h at 3 bar.

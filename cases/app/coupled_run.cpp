@@ -15,6 +15,8 @@
 #include "cases/app/stop.hpp"
 #include "core/check.hpp"
 #include "core/output/series.hpp"
+#include "structure/static_solve.hpp"
+#include "structure/volume_control.hpp"
 
 namespace velum::cases {
 
@@ -86,6 +88,17 @@ void step(CoupledScene<Real, Body>& s, long n)
   }
 }
 
+/// Volume that the driven membrane has swept over that of its equilibrium with the same middle,
+/// less 1; the lower face is parallel to the mid-surface, whose volumes these are.
+template <class Real, template <class> class Body>
+double against_rest(CoupledScene<Real, Body> const& s, HydrostaticScene const& start)
+{
+  auto rest = s.state.membrane;
+  structure::static_solve(rest, start.loads);
+  auto const inflation = structure::inflation(rest);
+  return inflation.volume(s.state.membrane.position) / inflation.volume(rest.position) - 1;
+}
+
 template <class Real, template <class> class Body>
 Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScene const& start,
                   double smagorinsky)
@@ -119,11 +132,13 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   note_stretch(stretch, s.state.membrane, material);
 
   Measurement now = measure(s, flows, 0);
+  if (!s.driven.empty()) c.driven = start_record(now);
   record(out, s, now, scene.run.output_every);
   c.window_begin = c.settled = now;
   bool stopped = false;
   for (long n = 1; n <= total && !stopped; ++n) {
     set_targets(s, scene, double(n) * dt, n > settle);
+    drive(s, scene, double(n) * dt);
     step(s, n);
     add_flows(flows, s);
     if (n % guard_every == 0 || n == total) {
@@ -144,6 +159,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
       now = measure(s, flows, double(n) * dt);
       record(out, s, now, scene.run.output_every);
       note_stretch(stretch, s.state.membrane, material);
+      if (c.driven) note(*c.driven, now);
       if (n <= window) c.window_begin = now;
       if (n <= settle) c.settled = now;
       if (n > settle) c.least_jump_shut = std::min(c.least_jump_shut, jump(now));
@@ -152,6 +168,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   }
   progress.finish();
   c.shut = now;
+  if (c.driven) c.driven->static_shape = against_rest(s, start);
   if (smagorinsky > 0) {
     auto const eddy = lbm::eddy_viscosity(s.state.fluid);
     c.eddy_mean = core::to_si_kinematic_viscosity(d.units, eddy.mean);

@@ -82,7 +82,9 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
       state.membrane,
       {core::to_lattice_frequency(s.derived.units, material.damping_mass),
        core::to_lattice_time(s.derived.units, material.damping_stiffness)},
-      state.membrane.position);
+      state.membrane.position, hydrostatic.bending);
+  state.one_way = scene.coupling.feedback == Feedback::one_way;
+  s.driven = hydrostatic.driven;
   for (PatchOpening const& o : lattice.openings) {
     state.openings.push_back(o.opening);
     s.boundary.push_back(o.boundary);
@@ -111,6 +113,18 @@ void set_targets(CoupledScene<Real, Body>& s, Scene const& scene, double time, b
 }
 
 template <class Real, template <class> class Body>
+void drive(CoupledScene<Real, Body>& s, Scene const& scene, double time)
+{
+  auto& m = s.state.membrane;
+  for (int a : s.driven) {
+    double const to = m.reference[2 * a] +
+                      value_at(scene.membrane->centre->displacement, time) / s.derived.units.dx;
+    m.velocity[2 * a] = to - m.position[2 * a];  // of one step
+    m.velocity[2 * a + 1] = 0;
+  }
+}
+
+template <class Real, template <class> class Body>
 double mean_pressure(CoupledScene<Real, Body> const& s, Zone zone)
 {
   auto const& fluid = s.state.fluid;
@@ -131,18 +145,22 @@ double mean_pressure(CoupledScene<Real, Body> const& s, Zone zone)
 template CoupledScene<float, ibm::Sharp> make_coupled_scene(Scene const&, HydrostaticScene const&,
                                                             double);
 template void set_targets(CoupledScene<float, ibm::Sharp>&, Scene const&, double, bool);
+template void drive(CoupledScene<float, ibm::Sharp>&, Scene const&, double);
 template double mean_pressure(CoupledScene<float, ibm::Sharp> const&, Zone);
 template CoupledScene<float, ibm::Diffuse> make_coupled_scene(Scene const&, HydrostaticScene const&,
                                                               double);
 template void set_targets(CoupledScene<float, ibm::Diffuse>&, Scene const&, double, bool);
+template void drive(CoupledScene<float, ibm::Diffuse>&, Scene const&, double);
 template double mean_pressure(CoupledScene<float, ibm::Diffuse> const&, Zone);
 template CoupledScene<double, ibm::Sharp> make_coupled_scene(Scene const&, HydrostaticScene const&,
                                                              double);
 template void set_targets(CoupledScene<double, ibm::Sharp>&, Scene const&, double, bool);
+template void drive(CoupledScene<double, ibm::Sharp>&, Scene const&, double);
 template double mean_pressure(CoupledScene<double, ibm::Sharp> const&, Zone);
 template CoupledScene<double, ibm::Diffuse> make_coupled_scene(Scene const&,
                                                                HydrostaticScene const&, double);
 template void set_targets(CoupledScene<double, ibm::Diffuse>&, Scene const&, double, bool);
+template void drive(CoupledScene<double, ibm::Diffuse>&, Scene const&, double);
 template double mean_pressure(CoupledScene<double, ibm::Diffuse> const&, Zone);
 
 }  // namespace velum::cases

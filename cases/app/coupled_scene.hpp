@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct CoupledScene {
   Derived derived;
   ibm::Coupled<Real, Body> state;
   std::vector<std::string> boundary;  // of each opening
-  double divide = 0;                  // radius of the seat, cells; 0 without one
+  std::vector<int> driven;            // nodes of the membrane that are moved as given
+  double divide = std::numeric_limits<double>::infinity();  // radius of the seat, cells; without
+                                                            // one all is inside
 
   Zone zone(std::uint8_t side, int j) const
   {
@@ -39,6 +42,11 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
 /// Sets the targets of the openings for a time (s); from `shut` on the inlets let nothing through.
 template <class Real, template <class> class Body>
 void set_targets(CoupledScene<Real, Body>& s, Scene const& scene, double time, bool shut);
+
+/// Gives the driven nodes the velocity that takes them, in the step that ends at this time (s), to
+/// where the scene wants them.
+template <class Real, template <class> class Body>
+void drive(CoupledScene<Real, Body>& s, Scene const& scene, double time);
 
 /// Mean pressure of a zone less that of the rest state, lattice units; 0 where it has no cell.
 template <class Real, template <class> class Body>

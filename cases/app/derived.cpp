@@ -1,6 +1,7 @@
 #include "cases/app/derived.hpp"
 
 #include "cases/app/geometry.hpp"
+#include "structure/line_bending.hpp"
 #include "structure/mass.hpp"
 #include "structure/stable_step.hpp"
 
@@ -118,8 +119,10 @@ void derive_membrane(Scene const& scene, Derived& d)
   d.thickness = smallest_thickness(sheet);
   d.mass_ratio = material.density * d.thickness / (scene.fluid.density * scene.lattice.dx);
   auto const membrane = make_membrane(scene);
-  d.structure_step =
-      structure::stable_step(membrane, structure::lumped_mass(membrane), membrane.reference);
+  std::vector<structure::Load> bending;
+  if (auto const load = bending_of(sheet, membrane)) bending = {load};
+  d.structure_step = structure::stable_step(membrane, structure::lumped_mass(membrane),
+                                            membrane.reference, bending);
   d.sub_steps = structure::substeps_for(d.units.dt, d.structure_step);
   // The undamped limit is 2 / omega, so omega^2 = 4 / step^2.
   if (material.damping_stiffness > 0)
@@ -138,8 +141,8 @@ double reference_velocity(Scene const& scene)
   velocity = std::max(velocity, scene.initial.velocity);
   for (int axis = 0; axis < dimensions(scene); ++axis)
     velocity = std::max(velocity, laminar_velocity_along(scene, axis));
-  if (scene.membrane && scene.membrane->motion)
-    velocity = std::max(velocity, largest_slope(*scene.membrane->motion));
+  if (scene.membrane && scene.membrane->centre)
+    velocity = std::max(velocity, largest_slope(scene.membrane->centre->displacement));
   return velocity;
 }
 
@@ -165,6 +168,14 @@ structure::Membrane make_membrane(Scene const& scene)
        .material = material.rubber,
        .density = material.density,
        .axial = sheet.position});
+}
+
+structure::Load bending_of(MembraneSheet const& sheet, structure::Membrane const& membrane)
+{
+  if (!has_bending(sheet)) return {};
+  return structure::bending_load(
+      std::make_shared<structure::LineBending const>(structure::line_bending(
+          membrane, sheet.rim == Rim::clamped ? structure::Rim::clamped : structure::Rim::hinged)));
 }
 
 Derived derive(Scene const& scene)

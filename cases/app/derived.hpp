@@ -2,6 +2,7 @@
 #include "cases/app/scene.hpp"
 #include "core/grid.hpp"
 #include "core/units.hpp"
+#include "structure/load.hpp"
 #include "structure/membrane.hpp"
 
 #include <cstdint>
@@ -46,5 +47,8 @@ Derived derive(Scene const& scene);
 /// The membrane of the scene as the structure sees it: flat, at rest, metres.
 /// @pre the scene has a membrane
 structure::Membrane make_membrane(Scene const& scene);
+
+/// Its bending as a load, in the membrane's own units; empty where it has none.
+structure::Load bending_of(MembraneSheet const& sheet, structure::Membrane const& membrane);
 
 }  // namespace velum::cases

@@ -36,11 +36,21 @@ structure::Membrane lattice_membrane(Scene const& scene, Derived const& d)
        .axial = sheet.position / dx});
 }
 
+/// Nodes out to a radius.
+std::vector<int> centre_nodes(structure::Membrane const& m, double radius)
+{
+  std::vector<int> nodes;
+  for (int a = 0; a < node_count(m); ++a)
+    if (m.reference[2 * a + 1] <= radius * (1 + 1e-9)) nodes.push_back(a);
+  return nodes;
+}
+
 /// Sub-steps that the membrane takes where it is, closed.
 int substeps_of(HydrostaticScene const& s, Eigen::VectorXd const& position)
 {
   Eigen::VectorXd const mass = structure::lumped_mass(s.membrane);
-  double const stable = structure::stable_step(s.membrane, mass, position, s.contact_stiffness);
+  double const stable =
+      structure::stable_step(s.membrane, mass, position, s.bending, s.contact_stiffness);
   return structure::substeps_for(1.0, stable);
 }
 
@@ -54,9 +64,14 @@ double outlet_pressure(Scene const& scene, double time)
 
 HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
 {
-  HydrostaticScene s{lattice_membrane(scene, d), {}, {}, 1, {}, {}, {}};
+  HydrostaticScene s{lattice_membrane(scene, d), {}, {}, {}, {}, 1, {}, {}, {}};
   auto const& sheet = *scene.membrane;
   double const dx = d.units.dx;
+  if (auto const bending = bending_of(sheet, s.membrane)) s.bending = s.loads = {bending};
+  if (sheet.centre) {
+    s.driven = centre_nodes(s.membrane, sheet.centre->radius / dx);
+    for (int a : s.driven) s.membrane.fixed[2 * a] = s.membrane.fixed[2 * a + 1] = 1;
+  }
   if (sheet.spring) {
     auto const& spring = *sheet.spring;
     s.loads.push_back(structure::spring_load(

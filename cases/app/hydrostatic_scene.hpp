@@ -11,7 +11,9 @@ namespace velum::cases {
 /// Membrane, spring and seat of a scene in static equilibrium with fluid at rest. Lattice units.
 struct HydrostaticScene {
   structure::Membrane membrane;
-  std::vector<structure::Load> loads;      // the spring
+  std::vector<structure::Load> bending;    // empty: none
+  std::vector<structure::Load> loads;      // bending and spring
+  std::vector<int> driven;                 // nodes of the centre that is moved as given
   std::shared_ptr<ibm::SeatContact> seat;  // empty without a contact
   int substeps = 1;                        // of an explicit step of the lattice's length
   ibm::HydrostaticLoad load;               // the region pressures

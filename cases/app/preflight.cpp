@@ -23,7 +23,7 @@ std::string fidelity_advice(Scene const& scene)
         return is_constant(b.value) && b.kind != BoundaryKind::velocity &&
                b.kind != BoundaryKind::flow_rate;
       });
-  if (!steady || scene.membrane->motion)
+  if (!steady || scene.membrane->centre)
     return "axisymmetric: boundaries or membrane move in time, so the flow has to be marched.";
   if (!scene.contact)
     return "axisymmetric: without a contact the membrane cannot seal, and fluid may pass it.";

@@ -33,11 +33,13 @@ enum class Operation { add, subtract };
 enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, moving_wall };
 enum class Axis { x, y, z };
 enum class MembraneShape { disc, strip };
-enum class Rim { clamped, free };
+enum class Rim { clamped, hinged };
+enum class Bending { auto_, on, off };
 enum class ContactMethod { penalty, augmented_lagrangian };
 enum class LipPressure { none, linear };
 enum class CouplingMethod { sharp, diffuse };
 enum class CouplingScheme { implicit, explicit_ };
+enum class Feedback { two_way, one_way };
 
 /// The grid of cells from corner `from` to at least corner `to`.
 struct Lattice {
@@ -120,6 +122,12 @@ struct Spring {
   double stiffness, free_length, installed_length, radius;
 };
 
+/// The middle of a membrane, out to a radius, that is moved along the first axis as given.
+struct DrivenCentre {
+  double radius;
+  Curve displacement;  // over time
+};
+
 /// Flat membrane across the first axis; its mid-surface lies at `position`.
 struct MembraneSheet {
   MembraneShape shape;
@@ -129,9 +137,16 @@ struct MembraneSheet {
   Curve thickness;  // undeformed, over the second coordinate
   double element;   // largest length of an element
   Rim rim = Rim::clamped;
-  std::optional<Curve> motion{};  // prescribed displacement of all of it along the first axis
+  Bending bending = Bending::auto_;
+  std::optional<DrivenCentre> centre{};
   std::optional<Spring> spring{};
 };
+
+/// Thickness over what a membrane spans; above the limit bending is on where the scene leaves it to
+/// the program.
+constexpr double bending_from = 0.02;
+double slenderness(MembraneSheet const& membrane);
+bool has_bending(MembraneSheet const& membrane);
 
 struct ContactPair {
   std::string seat;  // name of a solid
@@ -143,6 +158,7 @@ struct ContactPair {
 struct Coupling {
   CouplingMethod method = CouplingMethod::sharp;
   CouplingScheme scheme = CouplingScheme::implicit;
+  Feedback feedback = Feedback::two_way;
 };
 
 /// How long the scene runs: `settle` with its boundaries as given, then `shut` with the inlet shut.

@@ -129,8 +129,8 @@ void check_boundaries(Scene const& scene)
   }
 }
 
-/// A clamped rim must lie in a solid, or at the edge of the domain, through its whole thickness:
-/// what is left open beside it would leak.
+/// The rim is held, so it must lie in a solid, or at the edge of the domain, through its whole
+/// thickness: what is left open beside it would leak.
 void check_rim(Scene const& scene, double y, std::string const& key)
 {
   auto const& lattice = scene.lattice;
@@ -145,9 +145,9 @@ void check_rim(Scene const& scene, double y, std::string const& key)
   if (gap > slack)
     reject(
         scene, key,
-        fmt::format("= {} puts the clamped rim in the open: it must lie in or touch "
+        fmt::format("= {} puts the {} rim in the open: it must lie in or touch "
                     "a solid, or reach the edge of the domain{}.",
-                    mm(y),
+                    mm(y), word(membrane.rim),
                     std::isfinite(gap) ? fmt::format(", but the nearest wall is {} away", mm(gap))
                                        : ", but the scene has no solid"));
 }
@@ -182,10 +182,8 @@ void check_membrane(Scene const& scene)
         fmt::format("puts the membrane, from {} to {}, outside the domain, which goes from {} to "
                     "{} there.",
                     mm(membrane.from), mm(membrane.to), mm(lattice.from[1]), mm(lattice.to[1])));
-  if (membrane.rim == Rim::clamped) {
-    check_rim(scene, membrane.to, disc ? "membrane.radius" : "membrane.to");
-    if (!disc) check_rim(scene, membrane.from, "membrane.from");
-  }
+  check_rim(scene, membrane.to, disc ? "membrane.radius" : "membrane.to");
+  if (!disc) check_rim(scene, membrane.from, "membrane.from");
   if (membrane.spring &&
       membrane.spring->radius > 0.5 * (membrane.to - membrane.from) * (disc ? 2 : 1))
     reject(scene, "membrane.spring.radius", "must not exceed that of the membrane.");

@@ -44,12 +44,24 @@ Spring read_spring(SceneTable table, core::Symmetry symmetry)
   return spring;
 }
 
+DrivenCentre read_centre(SceneTable table, MembraneSheet const& membrane)
+{
+  table.allow({"radius", "displacement"});
+  DrivenCentre const centre{table.quantity("radius", Dimension::length, Sign::positive),
+                            table.curve("displacement", Dimension::time, Dimension::length)};
+  if (membrane.shape != MembraneShape::disc)
+    table.fail("radius", "belongs to a disc; the middle of a strip cannot be driven.");
+  if (centre.radius > membrane.to - membrane.element)
+    table.fail("radius", "must leave an element or more between it and the rim.");
+  return centre;
+}
+
 }  // namespace
 
 MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx)
 {
-  std::vector<std::string> keys{"shape",     "material", "position", "radius", "from",  "to",
-                                "thickness", "element",  "rim",      "motion", "spring"};
+  std::vector<std::string> keys{"shape",     "material", "position", "radius",  "from",   "to",
+                                "thickness", "element",  "rim",      "bending", "centre", "spring"};
   table.allow(keys);
   auto const shape = table.choice<MembraneShape>("shape");
   bool const disc = shape == MembraneShape::disc;
@@ -71,12 +83,12 @@ MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx
                  : table.quantity("to", Dimension::length),
       .thickness = table.curve("thickness", Dimension::length, Dimension::length, Sign::positive),
       .element = table.quantity("element", Dimension::length, Sign::positive, dx),
-      .rim = table.choice<Rim>("rim", Rim::clamped)};
+      .rim = table.choice<Rim>("rim", Rim::clamped),
+      .bending = table.choice<Bending>("bending", Bending::auto_)};
   if (membrane.from >= membrane.to) table.fail("to", "must be larger than \"from\".");
   if (membrane.element > 0.5 * (membrane.to - membrane.from))
     table.fail("element", "must be at most half the width of the membrane.");
-  if (table.has("motion"))
-    membrane.motion = table.curve("motion", Dimension::time, Dimension::length);
+  if (table.has("centre")) membrane.centre = read_centre(table.table("centre"), membrane);
   if (table.has("spring")) membrane.spring = read_spring(table.table("spring"), symmetry);
   return membrane;
 }
@@ -93,11 +105,25 @@ ContactPair read_contact(SceneTable table)
 
 Coupling read_coupling(SceneTable table)
 {
-  table.allow({"method", "scheme"});
+  table.allow({"method", "scheme", "feedback"});
   Coupling coupling;
   coupling.method = table.choice<CouplingMethod>("method", coupling.method);
   coupling.scheme = table.choice<CouplingScheme>("scheme", coupling.scheme);
+  coupling.feedback = table.choice<Feedback>("feedback", coupling.feedback);
   return coupling;
+}
+
+double slenderness(MembraneSheet const& membrane)
+{
+  double const span =
+      membrane.shape == MembraneShape::disc ? membrane.to : (membrane.to - membrane.from) / 2;
+  return largest_magnitude(membrane.thickness) / span;
+}
+
+bool has_bending(MembraneSheet const& membrane)
+{
+  return membrane.bending == Bending::on ||
+         (membrane.bending == Bending::auto_ && slenderness(membrane) >= bending_from);
 }
 
 }  // namespace velum::cases

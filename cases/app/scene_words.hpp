@@ -105,7 +105,15 @@ inline Words<MembraneShape> words(MembraneShape)
 {
   return {{"disc", MembraneShape::disc}, {"strip", MembraneShape::strip}};
 }
-inline Words<Rim> words(Rim) { return {{"clamped", Rim::clamped}, {"free", Rim::free}}; }
+inline Words<Rim> words(Rim) { return {{"clamped", Rim::clamped}, {"hinged", Rim::hinged}}; }
+inline Words<Bending> words(Bending)
+{
+  return {{"auto", Bending::auto_}, {"on", Bending::on}, {"off", Bending::off}};
+}
+inline Words<Feedback> words(Feedback)
+{
+  return {{"two_way", Feedback::two_way}, {"one_way", Feedback::one_way}};
+}
 inline Words<ContactMethod> words(ContactMethod)
 {
   return {{"penalty", ContactMethod::penalty},

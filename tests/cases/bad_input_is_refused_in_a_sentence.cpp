@@ -89,15 +89,17 @@ TEST(BadInput, MembraneOutsideTheDomainIsRefused)
             "domain, which goes from -4 mm to 2 mm there.");
 }
 
-TEST(BadInput, ClampedRimWithoutWallIsRefused)
+TEST(BadInput, RimWithoutWallIsRefused)
 {
   EXPECT_EQ(refused("radius = \"5 mm\"", "radius = \"4.5 mm\""),
             "scene.toml:34: membrane.radius = 4.5 mm puts the clamped rim in the open: it must lie "
             "in or touch a solid, or reach the edge of the domain, but the nearest wall is 0.5 mm "
             "away.");
   EXPECT_EQ(refusal(edited(edited(small_valve, "radius = \"5 mm\"", "radius = \"4.5 mm\""),
-                           "thickness =", "rim = \"free\"\nthickness =")),
-            "");
+                           "thickness =", "rim = \"hinged\"\nthickness =")),
+            "scene.toml:34: membrane.radius = 4.5 mm puts the hinged rim in the open: it must lie "
+            "in or touch a solid, or reach the edge of the domain, but the nearest wall is 0.5 mm "
+            "away.");
 }
 
 TEST(BadInput, OpenContourIsRefused)
@@ -163,7 +165,7 @@ TEST(BadInput, NamesThatPointNowhereHaveTheNearestName)
             "scene.toml:32: membrane.material = \"ruber\" names no material of the scene; did you "
             "mean \"rubber\"?");
   EXPECT_EQ(refused("seat = \"seat\"", "seat = \"lid\""),
-            "scene.toml:37: contact.seat = \"lid\" names no solid of the scene; allowed: casing or "
+            "scene.toml:38: contact.seat = \"lid\" names no solid of the scene; allowed: casing or "
             "seat.");
   EXPECT_EQ(
       refused("side = \"x-\"", "side = \"set\""),

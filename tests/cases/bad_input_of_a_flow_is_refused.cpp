@@ -159,9 +159,9 @@ TEST(BadFlow, ReferenceFitsTheScene)
 TEST(BadFlow, WhatOnlyAFlowHasIsRefusedBesideAMembrane)
 {
   EXPECT_EQ(refusal(with(small_valve, "steady = 1e-6")),
-            "scene.toml:41: run.steady is for scenes without a membrane; this one has one.");
+            "scene.toml:42: run.steady is for scenes without a membrane; this one has one.");
   EXPECT_EQ(refusal(with(small_valve, "[probe.p]\nkind = \"point\"\nat = [\"0 mm\", \"1 mm\"]")),
-            "scene.toml:41: probe is for scenes without a membrane; this one has one.");
+            "scene.toml:42: probe is for scenes without a membrane; this one has one.");
   EXPECT_EQ(refusal(edited(small_valve, "[inlet]\nkind = \"traction\"\npressure = \"50 kPa\"",
                            "[inlet]\nkind = \"moving_wall\"\nvelocity = \"1 m/s\"")),
             "scene.toml:18: inlet.kind is for scenes without a membrane; this one has one.");

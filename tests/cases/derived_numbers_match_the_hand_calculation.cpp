@@ -48,8 +48,9 @@ TEST(Derived, VelocityComesFromWhateverDrives)
   auto const flow = read_text(edited(edited(small_valve, "\"traction\"", "\"flow_rate\""),
                                      "pressure = \"50 kPa\"", "flow_rate = \"1 l/s\""));
   EXPECT_NEAR(cases::reference_velocity(flow), 1e-3 / (M_PI * (25e-6 - 1e-6)), 1e-11);
-  auto const moved = read_text(
-      small_valve, {"inlet.pressure=0 Pa", "membrane.motion=[[0 ms, 0 mm], [2 ms, 1 mm]]"});
+  auto const moved =
+      read_text(small_valve, {"inlet.pressure=0 Pa", "membrane.centre.radius=1 mm",
+                              "membrane.centre.displacement=[[0 ms, 0 mm], [2 ms, 1 mm]]"});
   EXPECT_NEAR(cases::reference_velocity(moved), 0.5, 1e-12);
 }
 

@@ -63,6 +63,7 @@ material = "rubber"
 position = "0 mm"
 radius = "5 mm"
 thickness = "2 mm"
+bending = "off"
 [contact]
 seat = "seat"
 [run]

@@ -85,7 +85,7 @@ TEST(StableStep, shrinks_with_contact_stiffness)
   auto const mass = lumped_mass(m);
   double const free = stable_step(m, mass, m.position);
   Eigen::VectorXd const contact = 1e6 * mass;  // omega^2 = 1e6 on its own
-  double const held = stable_step(m, mass, m.position, contact);
+  double const held = stable_step(m, mass, m.position, {}, contact);
   EXPECT_NEAR(4 / (held * held), 4 / (free * free) + 1e6, 1e-6 * 4 / (held * held));
   EXPECT_EQ(substeps_for(1.0, 0.5, 0.8), 3);
   EXPECT_EQ(substeps_for(0.1, 0.5, 0.8), 1);

@@ -32,20 +32,22 @@ Membrane bent(core::Symmetry symmetry)
   return m;
 }
 
+double tangent_error(Load const& load, Eigen::VectorXd const& x)
+{
+  return tests::tangent_error(load, x, 1e-6, tests::all_of(x));
+}
+
 TEST(Tangent, equals_finite_difference_for_every_force)
 {
   for (auto const symmetry : {core::Symmetry::planar, core::Symmetry::axisymmetric}) {
     auto const m = bent(symmetry);
-    auto const error = [&](Load const& load) {
-      return tests::tangent_error(load, m.position, 1e-6, tests::all_of(m.position));
-    };
-    EXPECT_LT(error(tests::elasticity(m)), 1e-7);
+    EXPECT_LT(tangent_error(tests::elasticity(m), m.position), 1e-7);
 
     auto pressure = uniform_pressure(m, Side::minus, 2);
     pressure.push_back({3, Side::plus, 0.2, 0.7, 5, -1});
-    EXPECT_LT(error(pressure_load(m, pressure)), 1e-7);
+    EXPECT_LT(tangent_error(pressure_load(m, pressure), m.position), 1e-7);
 
-    EXPECT_LT(error(spring_load(m, {2, 3, 1, 0.47})), 1e-7);
+    EXPECT_LT(tangent_error(spring_load(m, {2, 3, 1, 0.47}), m.position), 1e-7);
   }
 }
 
