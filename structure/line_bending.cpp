@@ -54,7 +54,8 @@ struct Curvatures {
   Jet<6> k1, k2;
 };
 
-Curvatures curvatures(BendingNode const& b, Eigen::VectorXd const& x)
+/// @param second  whether the Hessians are wanted
+Curvatures curvatures(BendingNode const& b, Eigen::VectorXd const& x, bool second = false)
 {
   auto const before = slope(b, false), behind = slope(b, true);
   Vector6 const c = coordinates(b, x);
@@ -66,18 +67,19 @@ Curvatures curvatures(BendingNode const& b, Eigen::VectorXd const& x)
   Eigen::Vector2d const tangent =
       held ? Eigen::Vector2d(b.held[0], b.held[1]) : Eigen::Vector2d((s0 + s1) / 2);
   auto const normal = unit_normal<2, 6>(tangent, maps);
-  Curvatures k{normal_part<2, 6>(normal, (s1 - s0) / L, (behind.map - before.map) / L), {}};
+  Curvatures k{normal_part<2, 6>(normal, (s1 - s0) / L, (behind.map - before.map) / L, second), {}};
   k.k2 = {0, Vector6::Zero(), Matrix6::Zero()};
   if (b.on_axis) {
     k.k2 = k.k1;
   } else if (b.Y > 0 && !held) {
-    auto const tilt = normal_part<2, 6>(normal, Eigen::Vector2d(0, 1), Map(Map::Zero()));
+    auto const tilt = normal_part<2, 6>(normal, Eigen::Vector2d(0, 1), Map(Map::Zero()), second);
     double const y = c[3], share = -1 / (b.Y * b.Y);
     Vector6 const by_y = Vector6::Unit(3);
     k.k2.value = share * y * tilt.value;
     k.k2.gradient = share * (y * tilt.gradient + tilt.value * by_y);
-    k.k2.hessian = share * (y * tilt.hessian + by_y * tilt.gradient.transpose() +
-                            tilt.gradient * by_y.transpose());
+    if (second)
+      k.k2.hessian = share * (y * tilt.hessian + by_y * tilt.gradient.transpose() +
+                              tilt.gradient * by_y.transpose());
   }
   return k;
 }
@@ -140,7 +142,7 @@ Load bending_load(LineBending const& bending)
 {
   return [&bending](Eigen::VectorXd const& x, Eigen::VectorXd& force, Triplets* tangent) {
     for (auto const& b : bending) {
-      auto const k = curvatures(b, x);
+      auto const k = curvatures(b, x, tangent != nullptr);
       Eigen::Vector2d const m = moments(b, k);
       Vector6 const gradient = m[0] * k.k1.gradient + m[1] * k.k2.gradient;
       int const first = first_of(b);

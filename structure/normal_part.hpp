@@ -34,7 +34,7 @@ UnitNormal<d, N> unit_normal(Eigen::Matrix<double, d, d - 1> const& tangents,
   return u;
 }
 
-/// A scalar with its gradient and Hessian by N coordinates.
+/// A scalar with its gradient and, where asked for, its Hessian by N coordinates.
 template <int N>
 struct Jet {
   double value;
@@ -46,16 +46,21 @@ struct Jet {
 /// n . tangent = 0 and n . n = 1 varied twice,
 ///   d(g.n) = n^T M,   d2(g.n) = M^T T + T^T M - (g.n) T^T T,   M = G - sum of (g . dual_b) B_b,
 /// T the derivative of n and B_b those of the tangents.
+/// @param second  whether the Hessian is wanted; it costs the most
 template <int d, int N>
 Jet<N> normal_part(UnitNormal<d, N> const& u, Eigen::Matrix<double, d, 1> const& g,
-                   Eigen::Matrix<double, d, N> const& G)
+                   Eigen::Matrix<double, d, N> const& G, bool second)
 {
   Eigen::Matrix<double, d, N> M = G;
   for (int b = 0; b < d - 1; ++b) M -= g.dot(u.dual.col(b)) * u.tangent_map[b];
-  double const value = g.dot(u.n);
+  Jet<N> jet;
+  jet.value = g.dot(u.n);
+  jet.gradient = M.transpose() * u.n;
+  if (!second) return jet;
   auto const& T = u.derivative;
   Eigen::Matrix<double, N, N> const mixed = M.transpose() * T;
-  return {value, M.transpose() * u.n, mixed + mixed.transpose() - value * (T.transpose() * T)};
+  jet.hessian = mixed + mixed.transpose() - jet.value * (T.transpose() * T);
+  return jet;
 }
 
 }  // namespace velum::structure

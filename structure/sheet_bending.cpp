@@ -74,7 +74,9 @@ Eigen::Vector3d flux(Eigen::Vector2d const& normal, double a, double b)
 Eigen::Vector3d point(Eigen::VectorXd const& x, int node) { return x.segment<3>(3 * node); }
 
 /// Curvatures with their derivatives by the 18 coordinates.
-std::array<Jet<18>, 3> curvatures(BendingTriangle const& b, Eigen::VectorXd const& x)
+/// @param second  whether the Hessians are wanted
+std::array<Jet<18>, 3> curvatures(BendingTriangle const& b, Eigen::VectorXd const& x,
+                                  bool second = false)
 {
   auto const map_of = [](auto const& weights) {
     Map18 map = Map18::Zero();
@@ -87,7 +89,7 @@ std::array<Jet<18>, 3> curvatures(BendingTriangle const& b, Eigen::VectorXd cons
   auto const normal = unit_normal<3, 18>(places * b.slope, maps);
   auto const part = [&](int c) {
     Eigen::Vector3d const g = places * b.curvature.col(c) + b.held.col(c);
-    return normal_part<3, 18>(normal, g, map_of(b.curvature.col(c)));
+    return normal_part<3, 18>(normal, g, map_of(b.curvature.col(c)), second);
   };
   return {part(0), part(1), part(2)};
 }
@@ -164,7 +166,7 @@ Load bending_load(SheetBending const& bending)
 {
   return [&bending](Eigen::VectorXd const& x, Eigen::VectorXd& force, Triplets* tangent) {
     for (auto const& b : bending) {
-      auto const k = curvatures(b, x);
+      auto const k = curvatures(b, x, tangent != nullptr);
       Eigen::Vector3d const m = moments(b, k);
       Vector18 gradient = Vector18::Zero();
       for (int c = 0; c < 3; ++c)
