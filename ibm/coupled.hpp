@@ -31,6 +31,7 @@ struct Coupled {
   Scheme scheme = Scheme::implicit;
   bool one_way = false;  // the membrane drives the fluid and does not feel it
   int substeps = 1;
+  double membrane_seconds = 0;  // wall time that the membrane's own steps took so far
   Ledger ledger;
 };
 

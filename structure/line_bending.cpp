@@ -8,7 +8,7 @@
 namespace velum::structure {
 namespace {
 
-using Map = Eigen::Matrix<double, 2, 6>;  // by the coordinates of the nodes before, here, behind
+using Map = BendingNode::Map;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -24,32 +24,6 @@ Vector6 coordinates(BendingNode const& b, Eigen::VectorXd const& x)
   return c;
 }
 
-/// The slope of one side, linear in the coordinates: map times them, plus what a clamp holds.
-struct Slope {
-  Map map = Map::Zero();
-  Eigen::Vector2d held = Eigen::Vector2d::Zero();
-};
-
-Slope slope(BendingNode const& b, bool behind)
-{
-  Slope s;
-  double const length = behind ? b.length_behind : b.length_before;
-  Eigen::Matrix2d const one = Eigen::Matrix2d::Identity() / length;
-  if (!(behind ? b.behind : b.before)) {
-    s.held = Eigen::Vector2d(b.held[0], b.held[1]);
-  } else if (behind) {
-    s.map.block<2, 2>(0, 4) = one;
-    s.map.block<2, 2>(0, 2) = -one;
-  } else if (b.on_axis) {
-    s.map.block<2, 2>(0, 2) = one;
-    s.map.block<2, 2>(0, 4) = one * Eigen::Vector2d(-1, 1).asDiagonal();
-  } else {
-    s.map.block<2, 2>(0, 2) = one;
-    s.map.block<2, 2>(0, 0) = -one;
-  }
-  return s;
-}
-
 struct Curvatures {
   Jet<6> k1, k2;
 };
@@ -57,21 +31,17 @@ struct Curvatures {
 /// @param second  whether the Hessians are wanted
 Curvatures curvatures(BendingNode const& b, Eigen::VectorXd const& x, bool second = false)
 {
-  auto const before = slope(b, false), behind = slope(b, true);
   Vector6 const c = coordinates(b, x);
-  Eigen::Vector2d const s0 = before.map * c + before.held, s1 = behind.map * c + behind.held;
-  double const L = (b.length_before + b.length_behind) / 2;
-  // a clamp holds the normal too
-  bool const held = !b.before || !b.behind;
-  Map const maps[1] = {held ? Map(Map::Zero()) : Map((before.map + behind.map) / 2)};
-  Eigen::Vector2d const tangent =
-      held ? Eigen::Vector2d(b.held[0], b.held[1]) : Eigen::Vector2d((s0 + s1) / 2);
-  auto const normal = unit_normal<2, 6>(tangent, maps);
-  Curvatures k{normal_part<2, 6>(normal, (s1 - s0) / L, (behind.map - before.map) / L, second), {}};
-  k.k2 = {0, Vector6::Zero(), Matrix6::Zero()};
+  Map const maps[1] = {b.tangent};
+  auto const normal = unit_normal<2, 6>(b.tangent * c + b.tangent_held, maps, second);
+  Curvatures k{normal_part<2, 6>(normal, b.turn * c + b.turn_held, b.turn, second), {}};
   if (b.on_axis) {
     k.k2 = k.k1;
-  } else if (b.Y > 0 && !held) {
+  } else if (b.Y == 0) {
+    k.k2.value = 0;
+    k.k2.gradient.setZero();
+    if (second) k.k2.hessian.setZero();
+  } else {
     auto const tilt = normal_part<2, 6>(normal, Eigen::Vector2d(0, 1), Map(Map::Zero()), second);
     double const y = c[3], share = -1 / (b.Y * b.Y);
     Vector6 const by_y = Vector6::Unit(3);
@@ -91,6 +61,40 @@ Eigen::Vector2d moments(BendingNode const& b, Curvatures const& k)
   return b.area * b.stiffness * Eigen::Vector2d(e1 + e2 / 2, e2 + e1 / 2);
 }
 
+/// The slope of the element between the node and the other one, as a map; on the axis the node
+/// before is the image of that behind.
+Map slope(BendingNode const& b, bool behind, double length)
+{
+  Map map = Map::Zero();
+  Eigen::Matrix2d const one = Eigen::Matrix2d::Identity() / length;
+  map.block<2, 2>(0, 2) = behind ? -one : one;
+  if (behind)
+    map.block<2, 2>(0, 4) = one;
+  else if (b.on_axis)
+    map.block<2, 2>(0, 4) = one * Eigen::Vector2d(-1, 1).asDiagonal();
+  else
+    map.block<2, 2>(0, 0) = -one;
+  return map;
+}
+
+/// Tangent and turn from the slopes of both sides. A clamped end holds the undeformed slope in the
+/// place of the side that is missing, and the normal with it.
+void find_slopes(BendingNode& b, Membrane const& m, double before, double behind)
+{
+  double const L = (before + behind) / 2;
+  Map const minus = b.before ? slope(b, false, before) : Map(Map::Zero());
+  Map const plus = b.behind ? slope(b, true, behind) : Map(Map::Zero());
+  b.turn = (plus - minus) / L;
+  b.tangent_held = b.turn_held = Eigen::Vector2d::Zero();
+  if (b.before && b.behind) {
+    b.tangent = (plus + minus) / 2;
+    return;
+  }
+  b.tangent = Map::Zero();
+  b.tangent_held = (b.before ? minus : plus) * coordinates(b, m.reference);
+  b.turn_held = (b.before ? 1 : -1) / L * b.tangent_held;
+}
+
 }  // namespace
 
 LineBending line_bending(Membrane const& m, Rim rim)
@@ -107,19 +111,16 @@ LineBending line_bending(Membrane const& m, Rim rim)
     if (end && (rim == Rim::hinged || !m.fixed[2 * a] || !m.fixed[2 * a + 1])) continue;
     auto const here = node(m.reference, a);
     auto const length = [&](int other) { return norm(node(m.reference, other) - here); };
-    b.length_behind = b.behind ? length(a + 1) : 0;
-    b.length_before = b.on_axis ? b.length_behind : b.before ? length(a - 1) : 0;
-    double const L = (b.length_before + b.length_behind) / 2;
+    double const behind = b.behind ? length(a + 1) : 0;
+    double const before = b.on_axis ? behind : b.before ? length(a - 1) : 0;
+    double const L = (before + behind) / 2;
+    find_slopes(b, m, before, behind);
     bool const ring = m.symmetry == core::Symmetry::axisymmetric;
-    b.Y = ring ? here[1] : 0;
+    b.Y = ring && !end ? here[1] : 0;
     b.area = b.on_axis ? std::numbers::pi * L * L / 4 : core::ring(m.symmetry, here[1]) * L;
     double const H =
         (m.thickness[std::max(a - 1, 0)] + m.thickness[std::min(a, element_count(m) - 1)]) / 2;
     b.stiffness = shear_modulus(m.material) * H * H * H / 3;
-    if (end) {
-      int const other = b.behind ? a + 1 : a - 1;
-      b.held = (b.behind ? 1.0 : -1.0) / length(other) * (node(m.reference, other) - here);
-    }
     auto const k = curvatures(b, m.reference);
     b.k1 = k.k1.value;
     b.k2 = k.k2.value;

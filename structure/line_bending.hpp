@@ -17,13 +17,17 @@ namespace velum::structure {
 /// that of a plate of an incompressible solid, E = 3 mu and nu = 1/2 (Timoshenko & Woinowsky-
 /// Krieger, Theory of Plates and Shells (1959), section 15); planar k2 = 0, plane strain.
 struct BendingNode {
+  using Map =
+      Eigen::Matrix<double, 2, 6>;  ///< of the coordinates of the nodes before, here, behind
+
   int node;
   bool before, behind;  ///< whether there are elements on either side, or images of them
   bool on_axis;         ///< the node before is the image of that behind
-  double length_before, length_behind;
-  double Y;                ///< 0 where planar: no k2
+  /// tangent = map times the coordinates + what a clamped end holds; the same for (x'+ - x'-) / L
+  Map tangent, turn;
+  Eigen::Vector2d tangent_held, turn_held;
+  double Y;                ///< 0 where there is no k2: planar, or an end
   double area, stiffness;  ///< A, D
-  core::Vec2 held;         ///< slope of a clamped end, which stands for the missing side
   double k1, k2;           ///< of the undeformed state
 };
 using LineBending = std::vector<BendingNode>;

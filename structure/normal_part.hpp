@@ -6,7 +6,7 @@
 namespace velum::structure {
 
 /// The unit normal of a surface element in d dimensions whose tangents are linear in its N
-/// coordinates, and its derivative.
+/// coordinates, and, for second derivatives of what it projects, its derivative.
 template <int d, int N>
 struct UnitNormal {
   using Map = Eigen::Matrix<double, d, N>;
@@ -18,7 +18,7 @@ struct UnitNormal {
 
 template <int d, int N>
 UnitNormal<d, N> unit_normal(Eigen::Matrix<double, d, d - 1> const& tangents,
-                             Eigen::Matrix<double, d, N> const (&maps)[d - 1])
+                             Eigen::Matrix<double, d, N> const (&maps)[d - 1], bool second)
 {
   UnitNormal<d, N> u;
   if constexpr (d == 3)
@@ -26,11 +26,10 @@ UnitNormal<d, N> unit_normal(Eigen::Matrix<double, d, d - 1> const& tangents,
   else
     u.n = Eigen::Vector2d(tangents(1), -tangents(0)).normalized();  // to the right
   u.dual = tangents * (tangents.transpose() * tangents).inverse();
+  for (int b = 0; b < d - 1; ++b) u.tangent_map[b] = maps[b];
+  if (!second) return u;
   u.derivative.setZero();
-  for (int b = 0; b < d - 1; ++b) {
-    u.tangent_map[b] = maps[b];
-    u.derivative -= u.dual.col(b) * (u.n.transpose() * maps[b]);
-  }
+  for (int b = 0; b < d - 1; ++b) u.derivative -= u.dual.col(b) * (u.n.transpose() * maps[b]);
   return u;
 }
 

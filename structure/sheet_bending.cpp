@@ -86,7 +86,7 @@ std::array<Jet<18>, 3> curvatures(BendingTriangle const& b, Eigen::VectorXd cons
   Eigen::Matrix<double, 3, 6> places;
   for (int a = 0; a < 6; ++a) places.col(a) = point(x, b.nodes[static_cast<std::size_t>(a)]);
   Map18 const maps[2] = {map_of(b.slope.col(0)), map_of(b.slope.col(1))};
-  auto const normal = unit_normal<3, 18>(places * b.slope, maps);
+  auto const normal = unit_normal<3, 18>(places * b.slope, maps, second);
   auto const part = [&](int c) {
     Eigen::Vector3d const g = places * b.curvature.col(c) + b.held.col(c);
     return normal_part<3, 18>(normal, g, map_of(b.curvature.col(c)), second);

@@ -12,17 +12,24 @@ core::Assumptions body_assumptions(BodyScene const& scene)
 {
   auto const& body = scene.body;
   core::Assumptions a;
-  a["fidelity"] = "structure: a body alone, in equilibrium under given loads; no fluid, no inertia";
+  a["fidelity"] =
+      scene.march
+          ? "structure: a body alone, set in motion by a given pressure; no fluid"
+          : "structure: a body alone, in equilibrium under given loads; no fluid, no inertia";
   a["elements"] = body.elements == Elements::lines
                       ? "line elements, two nodes"
                       : "flat triangles of constant strain, three nodes, in space";
   a["material"] = material_in_words(material(scene)) + "; plane stress, thickness follows";
   a["bending"] =
       bending_in_words(body.bending, has_bending(body), slenderness(body), word(body.rim));
-  a["scheme"] = scene.load.volumes.empty()
-                    ? "static: Newton with the exact tangent, loads raised in steps where needed"
-                    : "static: Newton with the exact tangent; from the first given volume on the "
-                      "pressure is an unknown, which passes the limit point";
+  if (!scene.march)
+    a["scheme"] = scene.load.volumes.empty()
+                      ? "static: Newton with the exact tangent, loads raised in steps where needed"
+                      : "static: Newton with the exact tangent; from the first given volume on the "
+                        "pressure is an unknown, which passes the limit point";
+  if (scene.march)
+    a["damping"] = fmt::format("alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness at rest",
+                               material(scene).damping_mass, material(scene).damping_stiffness);
   if (scene.contact)
     a["contact"] = fmt::format(
         "frictionless, {}, {:.3g} Pa/m{}; the face lies half the undeformed thickness off",

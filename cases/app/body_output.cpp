@@ -1,5 +1,7 @@
 #include "cases/app/body_output.hpp"
 
+#include "structure/volume_control.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,19 +17,42 @@ core::Field displacement(std::vector<Vec3> const& before, std::vector<Vec3> cons
 }
 
 void draw(BodyOutput& out, structure::Sheet const& sheet, std::vector<Vec3> const& before,
-          std::vector<Vec3> const& after, int number)
+          std::vector<Vec3> const& after, double at)
 {
   core::Surface surface{"body", after, {}, {displacement(before, after)}};
   for (auto const& t : sheet.triangles) surface.triangles.push_back({t[0], t[1], t[2]});
-  core::write_fields(out.fields, number, {}, {}, {surface});
+  core::write_fields(out.fields, at, {}, {}, {surface});
 }
 
 void draw(BodyOutput& out, structure::Membrane const&, std::vector<Vec3> const& before,
-          std::vector<Vec3> const& after, int number)
+          std::vector<Vec3> const& after, double at)
 {
   core::Curve curve{"body", {}, {displacement(before, after)}};
   for (auto const& p : after) curve.nodes.push_back(core::in_plane(p));
-  core::write_fields(out.fields, number, {}, {curve});
+  core::write_fields(out.fields, at, {}, {curve});
+}
+
+double volume_of(structure::Inflation const& by, structure::Membrane const& m)
+{
+  return by.volume(m.position);
+}
+double volume_of(structure::Inflation const& by, structure::Sheet const& s)
+{
+  return by.volume(s.position) - by.volume(s.reference);
+}
+
+/// Deflection along the first axis: of the middle of a disc, which is its first node, else the
+/// largest.
+template <class Body>
+double deflection(BodyScene const& scene, Body const& body)
+{
+  if (scene.body.shape == BodyShape::disc) return body.position[0] - body.reference[0];
+  double largest = 0;
+  for (Eigen::Index i = 0; i < body.position.size(); i += Body::dimension) {
+    double const d = body.position[i] - body.reference[i];
+    if (std::abs(d) > std::abs(largest)) largest = d;
+  }
+  return largest;
 }
 
 /// Nodes of the section, from the axis outwards.
@@ -44,7 +69,7 @@ std::vector<std::size_t> section(std::vector<Vec3> const& places, double span)
 
 BodyOutput start_output(BodyScene const& scene, std::filesystem::path const& folder)
 {
-  core::Column const first{"state", "1"};
+  core::Column const first = scene.march ? core::Column{"time", "s"} : core::Column{"state", "1"};
   return {core::create_fields(folder, {}, body_assumptions(scene)),
           core::start_series(folder / "series.csv",
                              {{"pressure", "Pa"},
@@ -63,19 +88,43 @@ BodyOutput start_output(BodyScene const& scene, std::filesystem::path const& fol
 }
 
 template <class Body>
-void record(BodyOutput& out, BodyModel<Body> const& model, BodyState const& s, int number)
+BodyState state_of(BodyScene const& scene, BodyModel<Body> const& model, double pressure,
+                   int iterations, StretchRecord& stretch)
 {
-  core::append(out.series, number,
+  StretchRecord now;
+  note_stretch(now, model.body, material(scene));
+  note_stretch(stretch, model.body, material(scene));
+  BodyState state{pressure, volume_of(structure::inflation(model.body), model.body),
+                  deflection(scene, model.body), now.largest};
+  state.iterations = iterations;
+  if (model.contact) {
+    auto const seat = seat_figures(model);
+    state.force = seat.force;
+    state.area = seat.area;
+    state.penetration = seat.penetration;
+    state.pressure_max = seat.pressure_max;
+  }
+  return state;
+}
+
+template <class Body>
+void record(BodyOutput& out, BodyModel<Body> const& model, BodyState const& s, double at)
+{
+  core::append(out.series, at,
                {s.pressure, s.volume, s.deflection, s.reference, s.stretch_max, s.force, s.area,
                 s.pressure_max, s.penetration, double(s.iterations)});
   auto const before = places(model.body, model.body.reference);
   auto const after = places(model.body, model.body.position);
-  draw(out, model.body, before, after, number);
+  draw(out, model.body, before, after, at);
   for (std::size_t a : section(before, model.span))
-    core::append(out.profile, number, {before[a][1], after[a][1], after[a][0]});
+    core::append(out.profile, at, {before[a][1], after[a][1], after[a][0]});
 }
 
-template void record(BodyOutput&, BodyModel<structure::Membrane> const&, BodyState const&, int);
-template void record(BodyOutput&, BodyModel<structure::Sheet> const&, BodyState const&, int);
+template BodyState state_of(BodyScene const&, BodyModel<structure::Membrane> const&, double, int,
+                            StretchRecord&);
+template BodyState state_of(BodyScene const&, BodyModel<structure::Sheet> const&, double, int,
+                            StretchRecord&);
+template void record(BodyOutput&, BodyModel<structure::Membrane> const&, BodyState const&, double);
+template void record(BodyOutput&, BodyModel<structure::Sheet> const&, BodyState const&, double);
 
 }  // namespace velum::cases

@@ -1,5 +1,6 @@
 #include "cases/app/body_run.hpp"
 
+#include "cases/app/body_march.hpp"
 #include "cases/app/body_model.hpp"
 #include "cases/app/body_output.hpp"
 #include "cases/app/material_range.hpp"
@@ -19,29 +20,6 @@ namespace {
 
 constexpr int largest_updates = 200;        // of the multipliers
 constexpr double multiplier_change = 1e-5;  // of the largest, at which they stand still
-
-double volume_of(structure::Inflation const& by, structure::Membrane const& m)
-{
-  return by.volume(m.position);
-}
-double volume_of(structure::Inflation const& by, structure::Sheet const& s)
-{
-  return by.volume(s.position) - by.volume(s.reference);
-}
-
-/// Deflection along the first axis: of the middle of a disc, which is its first node, else the
-/// largest.
-template <class Body>
-double deflection(BodyScene const& scene, Body const& body)
-{
-  if (scene.body.shape == BodyShape::disc) return body.position[0] - body.reference[0];
-  double largest = 0;
-  for (Eigen::Index i = 0; i < body.position.size(); i += Body::dimension) {
-    double const d = body.position[i] - body.reference[i];
-    if (std::abs(d) > std::abs(largest)) largest = d;
-  }
-  return largest;
-}
 
 template <class Body>
 int find_pressed_state(BodyScene const& scene, BodyModel<Body>& model, double pressure)
@@ -78,19 +56,7 @@ BodyResult solve(BodyScene const& scene, BodyModel<Body>& model, BodyTable const
   BodyResult result;
   auto const inflation = structure::inflation(model.body);
   auto const note = [&](double pressure, int iterations) {
-    StretchRecord now;
-    note_stretch(now, model.body, material(scene));
-    note_stretch(stretch, model.body, material(scene));
-    BodyState state{pressure, volume_of(inflation, model.body), deflection(scene, model.body),
-                    now.largest};
-    state.iterations = iterations;
-    if (model.contact) {
-      auto const seat = seat_figures(model);
-      state.force = seat.force;
-      state.area = seat.area;
-      state.penetration = seat.penetration;
-      state.pressure_max = seat.pressure_max;
-    }
+    BodyState state = state_of(scene, model, pressure, iterations, stretch);
     if (auto const row = scene.reference ? row_of(scene, table, state) : std::nullopt)
       state.reference =
           std::copysign(table.deflection[*row] * unit_deflection(scene), state.deflection);
@@ -121,7 +87,8 @@ BodyResult solve(BodyScene const& scene, BodyModel<Body>& model, BodyTable const
 core::Summary summary_of(BodyScene const& scene, BodyResult const& result, BodyTable const& table,
                          double wall_time)
 {
-  auto const& last = result.states[scene.load.pressures.size() - 1];
+  auto const& last =
+      scene.march ? result.states.back() : result.states[scene.load.pressures.size() - 1];
   bool const disc = scene.body.shape == BodyShape::disc;
   core::Summary summary{{{disc ? "pole_deflection" : "deflection_max", last.deflection, "m"},
                          {"pressure", last.pressure, "Pa"},
@@ -156,10 +123,13 @@ void run_as(BodyScene const& scene, std::filesystem::path const& folder)
   BodyModel<Body> model(scene);
   auto out = start_output(scene, folder);
   StretchRecord stretch;
-  auto const result = solve(scene, model, table, out, stretch);
+  std::string scheme;
+  auto const result = scene.march ? march(scene, model, out, stretch, scheme)
+                                  : solve(scene, model, table, out, stretch);
   double const wall_time =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   auto summary = summary_of(scene, result, table, wall_time);
+  if (scene.march) summary.assumptions["scheme"] = scheme;
   add_range(summary.assumptions, stretch, material(scene));
   core::write_summary(folder / "summary.json", summary);
   for (auto const& figure : summary.figures)

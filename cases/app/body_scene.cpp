@@ -92,6 +92,18 @@ BodyLoad read_load(SceneTable table)
   return load;
 }
 
+BodyMarch read_march(SceneTable table)
+{
+  table.allow({"pressure", "side", "end", "step", "scheme"});
+  BodyMarch march{
+      .pressure = table.curve("pressure", Dimension::time, Dimension::pressure, Sign::not_negative),
+      .end = table.quantity("end", Dimension::time, Sign::positive),
+      .step = table.quantity("step", Dimension::time, Sign::positive)};
+  if (march.step > march.end) table.fail("step", "must not be longer than \"end\".");
+  if (table.has("scheme")) march.scheme = table.choice<structure::TimeScheme>("scheme");
+  return march;
+}
+
 BodyReference read_body_reference(SceneTable table)
 {
   table.allow({"file", "scale", "limit_load", "frequencies"});
@@ -104,8 +116,8 @@ BodyReference read_body_reference(SceneTable table)
 
 BodyScene compose(SceneTable root)
 {
-  root.allow(
-      {"name", "fidelity", "body", "material", "solid", "contact", "load", "modes", "reference"});
+  root.allow({"name", "fidelity", "body", "material", "solid", "contact", "load", "march", "modes",
+              "reference"});
   BodyScene scene{.name = root.text("name"), .body = read_body(root.table("body"))};
   if (scene.name.find_first_of("/\\") != std::string::npos || scene.name.starts_with('.'))
     root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
@@ -130,7 +142,14 @@ BodyScene compose(SceneTable root)
       root.table("contact").fail(
           "seat", fmt::format("= \"{}\" is not a solid of the scene.", scene.contact->seat));
   }
-  scene.load = read_load(root.table("load"));
+  if (root.has("march")) {
+    if (root.has("load"))
+      root.fail("march", "and \"load\" both say what presses on the body; keep one.");
+    scene.march = read_march(root.table("march"));
+    scene.load.side = root.table("march").choice<BodySide>("side", BodySide::minus);
+  } else {
+    scene.load = read_load(root.table("load"));
+  }
   if (root.has("modes")) {
     double const modes = root.number("modes", 0);
     if (modes != std::floor(modes) || modes > 100)
@@ -151,6 +170,11 @@ void check(BodyScene const& scene)
     } catch (core::InputError const& error) {
       reject(scene.source, "solid." + solid.name, fmt::format("cannot be built: {}", error.what()));
     }
+  if (scene.march && scene.contact)
+    reject(scene.source, "march",
+           "is for bodies that touch nothing: velum marches no contact of a body alone yet.");
+  if (scene.march && scene.reference && scene.reference->limit_load)
+    reject(scene.source, "reference.limit_load", "is for states in equilibrium, not for a march.");
   if (!scene.load.volumes.empty()) {
     if (scene.contact)
       reject(scene.source, "load.volumes",
@@ -188,16 +212,6 @@ BodyScene read_body_scene(std::filesystem::path const& file,
   scene.source = open.close();
   check(scene);
   return scene;
-}
-
-std::vector<std::string> files_of(BodyScene const& scene)
-{
-  std::vector<std::string> files;
-  if (scene.reference) files.push_back(scene.reference->file);
-  for (auto const& solid : scene.solids) files.push_back(solid.file);
-  for (auto const& [name, material] : scene.materials) files.push_back(material.file);
-  std::erase(files, "");
-  return files;
 }
 
 double span(SoftBody const& body)

@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/app/scene.hpp"
+#include "structure/scheme.hpp"
 
 namespace velum::cases {
 
@@ -32,6 +33,14 @@ struct BodyLoad {
   std::vector<double> volumes;  // enclosed between the body and its undeformed state
 };
 
+/// A pressure that changes in time, and how the motion under it is marched.
+struct BodyMarch {
+  Curve pressure;  // over time, on load.side
+  double end, step;
+  std::optional<structure::TimeScheme> scheme{};  // empty: the cheaper one
+  int samples = 200;                              // rows of the series
+};
+
 /// What the deflection of the middle is compared with: a table of load and deflection, made
 /// dimensionless as
 ///   membrane  p a / (mu H)       and  w / a
@@ -52,7 +61,8 @@ struct BodyScene {
   std::vector<Solid> solids{};
   std::optional<ContactPair> contact{};
   BodyLoad load{};
-  int modes = 0;  // vibrations of the undeformed body to find
+  std::optional<BodyMarch> march{};  // in place of the states of the load
+  int modes = 0;                     // vibrations of the undeformed body to find
   std::optional<BodyReference> reference{};
   SceneFile source{};
 };
@@ -64,9 +74,6 @@ bool is_body_scene(std::filesystem::path const& file, std::vector<std::string> c
 /// @throws core::InputError  one sentence with file, line, key, what is wrong and what is allowed
 BodyScene read_body_scene(std::filesystem::path const& file,
                           std::vector<std::string> const& overrides = {});
-
-/// Names of the files beside the scene that it reads.
-std::vector<std::string> files_of(BodyScene const& scene);
 
 inline Material const& material(BodyScene const& scene)
 {

@@ -19,6 +19,7 @@ struct Certificate {
   double penetration_max = 0, speed_max = 0, mach_max = 0;
   double eddy_mean = 0, eddy_max = 0;  // m2/s
   double wall_time = 0, mlups = 0;
+  double membrane_share = 0;  // of the wall time
   bool has_shut = false;
   std::optional<DrivenRecord> driven{};  // in place of what a closed valve shows
 };

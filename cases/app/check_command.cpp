@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace velum::cases {
 namespace {
@@ -33,8 +34,11 @@ void check_body(Options const& options)
   fmt::print("{}: {}, structure\n", scene.source.file, scene.name);
   for (auto const& [name, sentence] : body_assumptions(scene))
     fmt::print("  {:<10} {}\n", name, sentence);
-  fmt::print("  {:<10} {} pressures, {} volumes; {} unknowns\n", "states",
-             scene.load.pressures.size(), scene.load.volumes.size(), unknowns(scene));
+  std::string const states =
+      scene.march ? fmt::format("{:.0f} steps", std::ceil(scene.march->end / scene.march->step))
+                  : fmt::format("{} pressures, {} volumes", scene.load.pressures.size(),
+                                scene.load.volumes.size());
+  fmt::print("  {:<10} {}; {} unknowns\n", "states", states, unknowns(scene));
 }
 
 }  // namespace

@@ -175,6 +175,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
     c.eddy_max = core::to_si_kinematic_viscosity(d.units, eddy.max);
   }
   c.wall_time = elapsed();
+  c.membrane_share = s.state.membrane_seconds / c.wall_time;
   c.mlups = double(total) * cells / c.wall_time / 1e6;
   c.stretch_max = stretch.largest;
   auto assumed = assumptions(scene, d, smagorinsky);

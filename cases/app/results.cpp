@@ -44,12 +44,13 @@ void prepare_results(SceneFile const& source, std::vector<std::string> const& fi
                                        out.string(), std::generic_category().message(errno)));
 }
 
-std::vector<std::string> files_of(Scene const& scene)
+std::vector<std::string> files_of(std::vector<Solid> const& solids,
+                                  std::map<std::string, Material> const& materials,
+                                  std::string const& reference)
 {
-  std::vector<std::string> files;
-  if (scene.reference) files.push_back(scene.reference->file);
-  for (auto const& solid : scene.solids) files.push_back(solid.file);
-  for (auto const& [name, material] : scene.materials) files.push_back(material.file);
+  std::vector<std::string> files{reference};
+  for (auto const& solid : solids) files.push_back(solid.file);
+  for (auto const& [name, material] : materials) files.push_back(material.file);
   std::erase(files, "");
   return files;
 }

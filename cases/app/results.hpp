@@ -13,6 +13,9 @@ void prepare_results(SceneFile const& source, std::vector<std::string> const& fi
                      std::filesystem::path const& out);
 
 /// Names of the files beside a scene that it reads.
-std::vector<std::string> files_of(Scene const& scene);
+/// @param reference  of its table; may be empty
+std::vector<std::string> files_of(std::vector<Solid> const& solids,
+                                  std::map<std::string, Material> const& materials,
+                                  std::string const& reference);
 
 }  // namespace velum::cases

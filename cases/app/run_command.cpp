@@ -10,13 +10,16 @@ namespace velum::cases {
 
 namespace {
 
-/// Makes the results folder ready and starts the log in it.
-std::filesystem::path begin(Options const& options, std::string const& name,
-                            SceneFile const& source, std::vector<std::string> const& files)
+/// Makes the results folder of a Scene or a BodyScene ready and starts the log in it.
+template <class AnyScene>
+std::filesystem::path begin(Options const& options, AnyScene const& scene)
 {
   auto const out = std::filesystem::absolute(
-      options.out.empty() ? std::filesystem::path("results") / name : options.out);
-  prepare_results(source, files, out);
+      options.out.empty() ? std::filesystem::path("results") / scene.name : options.out);
+  prepare_results(scene.source,
+                  files_of(scene.solids, scene.materials,
+                           scene.reference ? scene.reference->file : std::string()),
+                  out);
   core::start_log(out, options.quiet ? core::Console::quiet : core::Console::normal);
   catch_stop_signals();
   return out;
@@ -28,11 +31,10 @@ void run_command(Options const& options)
 {
   if (is_body_scene(options.scene, options.set)) {
     auto const scene = read_body_scene(options.scene, options.set);
-    return run_body(scene, begin(options, scene.name, scene.source, files_of(scene)));
+    return run_body(scene, begin(options, scene));
   }
   Scene const scene = read_scene(options.scene, options.set);
-  run(scene,
-      {.out = begin(options, scene.name, scene.source, files_of(scene)), .quiet = options.quiet});
+  run(scene, {.out = begin(options, scene), .quiet = options.quiet});
 }
 
 }  // namespace velum::cases

@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/app/scene.hpp"
+#include "structure/scheme.hpp"
 
 #include <algorithm>
 #include <string>
@@ -41,6 +42,11 @@ inline Words<structure::TestMode> words(structure::TestMode)
   return {{"uniaxial", TestMode::uniaxial},
           {"planar", TestMode::planar},
           {"equibiaxial", TestMode::equibiaxial}};
+}
+inline Words<structure::TimeScheme> words(structure::TimeScheme)
+{
+  return {{"explicit", structure::TimeScheme::explicit_substeps},
+          {"implicit", structure::TimeScheme::implicit}};
 }
 inline Words<Precision> words(Precision)
 {

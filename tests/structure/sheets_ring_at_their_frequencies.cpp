@@ -17,6 +17,7 @@
 
 #include "structure/implicit_step.hpp"
 #include "structure/sheet_bending.hpp"
+#include "structure/sheet_force.hpp"
 #include "structure/sheet_mesh.hpp"
 #include "tests/structure/lowest_mode.hpp"
 #include "tests/support/order.hpp"
