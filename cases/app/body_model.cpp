@@ -32,6 +32,8 @@ structure::TriangleMesh mesh_of(SoftBody const& b)
     case BodyShape::tube:
       return tube_mesh(b.outer, graded(0, b.length, parts(b.length, b.element)),
                        parts(2 * std::numbers::pi * b.outer, b.element));
+    case BodyShape::mesh:
+      return b.mesh.mesh;
     case BodyShape::strip:
       break;
   }
@@ -51,6 +53,18 @@ double along_thickness(SoftBody const& b, Eigen::Vector3d const& middle)
   }
 }
 
+/// Points that are held: the groups that the scene names, or the whole rim.
+std::vector<int> held_points(SoftBody const& b, structure::TriangleMesh const& mesh)
+{
+  if (b.clamps.empty()) return structure::rim_points(mesh);
+  std::vector<int> held;
+  for (auto const& name : b.clamps) {
+    auto const& group = b.mesh.groups.at(name);
+    held.insert(held.end(), group.begin(), group.end());
+  }
+  return held;
+}
+
 void make_body(BodyScene const& scene, structure::Sheet& sheet)
 {
   auto const& b = scene.body;
@@ -66,7 +80,7 @@ void make_body(BodyScene const& scene, structure::Sheet& sheet)
     middle[0] -= b.position;
     sheet.thickness[e] = value_at(b.thickness, along_thickness(b, middle));
   }
-  for (int node : structure::rim_points(mesh)) structure::clamp(sheet, node);
+  for (int node : held_points(b, mesh)) structure::clamp(sheet, node);
 }
 
 void make_body(BodyScene const& scene, structure::Membrane& line)

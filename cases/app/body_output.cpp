@@ -42,15 +42,17 @@ double volume_of(structure::Inflation const& by, structure::Sheet const& s)
 }
 
 /// Deflection along the first axis: of the middle of a disc, which is its first node, else the
-/// largest.
+/// largest. A mesh may lie any way: its farthest displacement.
 template <class Body>
 double deflection(BodyScene const& scene, Body const& body)
 {
-  if (scene.body.shape == BodyShape::disc) return body.position[0] - body.reference[0];
+  constexpr int d = Body::dimension;
+  Eigen::VectorXd const moved = body.position - body.reference;
+  if (scene.body.shape == BodyShape::disc) return moved[0];
   double largest = 0;
-  for (Eigen::Index i = 0; i < body.position.size(); i += Body::dimension) {
-    double const d = body.position[i] - body.reference[i];
-    if (std::abs(d) > std::abs(largest)) largest = d;
+  for (Eigen::Index i = 0; i < moved.size(); i += d) {
+    double const here = scene.body.shape == BodyShape::mesh ? moved.segment<d>(i).norm() : moved[i];
+    if (std::abs(here) > std::abs(largest)) largest = here;
   }
   return largest;
 }

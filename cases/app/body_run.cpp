@@ -5,6 +5,7 @@
 #include "cases/app/body_output.hpp"
 #include "cases/app/material_range.hpp"
 #include "core/check.hpp"
+#include "structure/mesh_quality.hpp"
 #include "structure/modes.hpp"
 #include "structure/static_solve.hpp"
 #include "structure/volume_control.hpp"
@@ -120,6 +121,9 @@ void run_as(BodyScene const& scene, std::filesystem::path const& folder)
   BodyTable const table = scene.reference ? load_body_table(scene) : BodyTable{};
   for (auto const& [name, sentence] : body_assumptions(scene))
     spdlog::info("{}: {}", name, sentence);
+  if (scene.body.shape == BodyShape::mesh)
+    for (auto const& sentence : structure::warnings(structure::mesh_quality(scene.body.mesh.mesh)))
+      spdlog::warn("{}: {}", scene.body.file, sentence);
   BodyModel<Body> model(scene);
   auto out = start_output(scene, folder);
   StretchRecord stretch;

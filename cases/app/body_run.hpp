@@ -9,7 +9,8 @@ namespace velum::cases {
 /// One state of a body in equilibrium, SI.
 struct BodyState {
   double pressure, volume;
-  double deflection;   // of the middle of a disc, else the largest along the first axis
+  double deflection;   // of the middle of a disc, else the largest along the first axis; of a mesh
+                       // the farthest displacement
   double stretch_max;  // largest of all stretches
   double force = 0, area = 0, penetration = 0, pressure_max = 0;  // what the seat carries
   int iterations = 0;                                             // linear solves

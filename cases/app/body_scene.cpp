@@ -28,6 +28,8 @@ std::vector<std::string> keys_of(BodyShape shape, Elements elements)
       return {"inner_radius", "radius"};
     case BodyShape::tube:
       return {"radius", "length"};
+    case BodyShape::mesh:
+      return {"file", "unit", "clamp"};
     case BodyShape::strip:
       break;
   }
@@ -35,31 +37,33 @@ std::vector<std::string> keys_of(BodyShape shape, Elements elements)
                                      : std::vector<std::string>{"from", "to", "length"};
 }
 
-SoftBody read_body(SceneTable table)
+/// Keys that every shape takes; one from a file is where it is and has its elements.
+std::vector<std::string> common_keys(BodyShape shape)
 {
-  std::vector<std::string> keys{"elements",     "shape", "material", "position", "thickness",
-                                "element",      "rim",   "bending",  "radius",   "length",
-                                "inner_radius", "from",  "to"};
-  table.allow(keys);
-  SoftBody body{
-      .elements = table.choice<Elements>("elements"),
-      .shape = table.choice<BodyShape>("shape"),
-      .material = table.text("material"),
-      .position = table.quantity("position", Dimension::length, Sign::any, 0.0),
-      .outer = 0,
-      .thickness = table.curve("thickness", Dimension::length, Dimension::length, Sign::positive),
-      .element = table.quantity("element", Dimension::length, Sign::positive),
-      .rim = table.choice<Rim>("rim", Rim::clamped),
-      .bending = table.choice<Bending>("bending", Bending::auto_)};
-  if (body.elements == Elements::lines && body.shape != BodyShape::disc &&
-      body.shape != BodyShape::strip)
-    table.fail("shape", fmt::format("cannot be \"{}\" with lines; \"disc\" and \"strip\" can.",
-                                    word(body.shape)));
-  keys.resize(8);
-  auto const own = keys_of(body.shape, body.elements);
-  keys.insert(keys.end(), own.begin(), own.end());
-  table.allow(keys,
-              fmt::format(" with shape = \"{}\" of {}", word(body.shape), word(body.elements)));
+  std::vector<std::string> keys{"elements", "shape", "material", "thickness", "rim", "bending"};
+  if (shape != BodyShape::mesh) keys.insert(keys.end(), {"position", "element"});
+  return keys;
+}
+
+void read_mesh(SceneTable& table, SoftBody& body)
+{
+  body.file = table.file_name("file");
+  double const unit = table.quantity("unit", Dimension::length, Sign::positive);
+  body.mesh = structure::read_gmsh(table.beside(body.file), unit);
+  if (!table.has("clamp")) return;
+  std::vector<std::string> names;
+  for (auto const& [name, points] : body.mesh.groups) names.push_back(name);
+  if (names.empty())
+    table.fail("clamp", fmt::format("names groups, and \"{}\" has none: give its curves a Physical "
+                                    "name in Gmsh.",
+                                    body.file));
+  body.clamps = table.texts("clamp", names);
+}
+
+void read_size(SceneTable& table, SoftBody& body)
+{
+  body.position = table.quantity("position", Dimension::length, Sign::any, 0.0);
+  body.element = table.quantity("element", Dimension::length, Sign::positive);
   auto const positive = [&](char const* key) {
     return table.quantity(key, Dimension::length, Sign::positive);
   };
@@ -74,9 +78,40 @@ SoftBody read_body(SceneTable table)
     body.inner = positive("inner_radius");
     if (body.inner >= body.outer) table.fail("inner_radius", "must be smaller than \"radius\".");
   }
+  auto const own = keys_of(body.shape, body.elements);
   if (std::ranges::find(own, "length") != own.end()) body.length = positive("length");
   if (body.element > 0.5 * (body.outer - body.inner))
     table.fail("element", "must be at most half of what the body spans.");
+}
+
+SoftBody read_body(SceneTable table)
+{
+  std::vector<std::string> all = common_keys(BodyShape::disc);
+  for (char const* key :
+       {"radius", "length", "inner_radius", "from", "to", "file", "unit", "clamp"})
+    all.push_back(key);
+  table.allow(all);
+  SoftBody body{
+      .elements = table.choice<Elements>("elements"),
+      .shape = table.choice<BodyShape>("shape"),
+      .material = table.text("material"),
+      .outer = 0,
+      .thickness = table.curve("thickness", Dimension::length, Dimension::length, Sign::positive),
+      .rim = table.choice<Rim>("rim", Rim::clamped),
+      .bending = table.choice<Bending>("bending", Bending::auto_)};
+  if (body.elements == Elements::lines && body.shape != BodyShape::disc &&
+      body.shape != BodyShape::strip)
+    table.fail("shape", fmt::format("cannot be \"{}\" with lines; \"disc\" and \"strip\" can.",
+                                    word(body.shape)));
+  auto keys = common_keys(body.shape);
+  auto const own = keys_of(body.shape, body.elements);
+  keys.insert(keys.end(), own.begin(), own.end());
+  table.allow(keys,
+              fmt::format(" with shape = \"{}\" of {}", word(body.shape), word(body.elements)));
+  if (body.shape == BodyShape::mesh)
+    read_mesh(table, body);
+  else
+    read_size(table, body);
   return body;
 }
 
@@ -216,9 +251,20 @@ BodyScene read_body_scene(std::filesystem::path const& file,
 
 double span(SoftBody const& body)
 {
-  return body.shape == BodyShape::disc || body.shape == BodyShape::tube
-             ? body.outer
-             : (body.outer - body.inner) / 2;
+  switch (body.shape) {
+    case BodyShape::disc:
+    case BodyShape::tube:
+      return body.outer;
+    case BodyShape::mesh: {
+      Eigen::Map<Eigen::Matrix3Xd const> const points(body.mesh.mesh.points.data(), 3,
+                                                      body.mesh.mesh.points.size() / 3);
+      Eigen::Vector3d lengths = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
+      std::ranges::sort(lengths);
+      return lengths[1] / 2;
+    }
+    default:
+      return (body.outer - body.inner) / 2;
+  }
 }
 
 double slenderness(SoftBody const& body) { return largest_magnitude(body.thickness) / span(body); }

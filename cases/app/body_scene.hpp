@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/app/scene.hpp"
+#include "structure/gmsh.hpp"
 #include "structure/scheme.hpp"
 
 namespace velum::cases {
@@ -7,12 +8,12 @@ namespace velum::cases {
 /// What a body is made of: line elements in the meridional plane or the plane, or triangles in
 /// space.
 enum class Elements { lines, triangles };
-enum class BodyShape { disc, annulus, strip, tube };
+enum class BodyShape { disc, annulus, strip, tube, mesh };
 enum class BodySide { minus, plus };
 enum class LoadScale { membrane, plate };
 
-/// A flat body across the first axis, or a tube about it, held along its whole rim. Lengths in
-/// metres.
+/// A flat body across the first axis, a tube about it, or a surface of triangles from a file; held
+/// along its whole rim, or where the scene says. Lengths in metres.
 struct SoftBody {
   Elements elements;
   BodyShape shape;
@@ -21,7 +22,10 @@ struct SoftBody {
   double inner = 0, outer;  // disc, annulus: radii; tube: outer its radius; strip: range of y
   double length = 0;        // tube: along the axis; strip of triangles: along z
   Curve thickness;          // undeformed, over the radius or y; of a tube along the axis
-  double element;           // largest length of an element
+  double element = 0;       // largest length of an element
+  std::string file{};       // mesh: of Gmsh, beside the scene,
+  structure::GmshMesh mesh{};
+  std::vector<std::string> clamps{};  // its groups that are held; none: the whole rim
   Rim rim = Rim::clamped;
   Bending bending = Bending::auto_;
 };
@@ -80,7 +84,8 @@ inline Material const& material(BodyScene const& scene)
   return scene.materials.at(scene.body.material);
 }
 
-/// Radius, or half the width of a strip: what the body spans.
+/// What the body spans: its radius, half the width of a strip, half the middle one of the three
+/// lengths of a mesh.
 double span(SoftBody const& body);
 
 double slenderness(SoftBody const& body);

@@ -14,7 +14,8 @@ inline Words<BodyShape> words(BodyShape)
   return {{"disc", BodyShape::disc},
           {"annulus", BodyShape::annulus},
           {"strip", BodyShape::strip},
-          {"tube", BodyShape::tube}};
+          {"tube", BodyShape::tube},
+          {"mesh", BodyShape::mesh}};
 }
 inline Words<BodySide> words(BodySide)
 {

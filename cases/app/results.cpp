@@ -46,13 +46,12 @@ void prepare_results(SceneFile const& source, std::vector<std::string> const& fi
 
 std::vector<std::string> files_of(std::vector<Solid> const& solids,
                                   std::map<std::string, Material> const& materials,
-                                  std::string const& reference)
+                                  std::vector<std::string> others)
 {
-  std::vector<std::string> files{reference};
-  for (auto const& solid : solids) files.push_back(solid.file);
-  for (auto const& [name, material] : materials) files.push_back(material.file);
-  std::erase(files, "");
-  return files;
+  for (auto const& solid : solids) others.push_back(solid.file);
+  for (auto const& [name, material] : materials) others.push_back(material.file);
+  std::erase(others, "");
+  return others;
 }
 
 }  // namespace velum::cases

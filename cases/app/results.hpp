@@ -13,9 +13,9 @@ void prepare_results(SceneFile const& source, std::vector<std::string> const& fi
                      std::filesystem::path const& out);
 
 /// Names of the files beside a scene that it reads.
-/// @param reference  of its table; may be empty
+/// @param others  besides those of solids and materials; empty names count for none
 std::vector<std::string> files_of(std::vector<Solid> const& solids,
                                   std::map<std::string, Material> const& materials,
-                                  std::string const& reference);
+                                  std::vector<std::string> others);
 
 }  // namespace velum::cases

@@ -11,14 +11,15 @@ namespace velum::cases {
 namespace {
 
 /// Makes the results folder of a Scene or a BodyScene ready and starts the log in it.
+/// @param mesh  name of the file that the body is from; empty: none
 template <class AnyScene>
-std::filesystem::path begin(Options const& options, AnyScene const& scene)
+std::filesystem::path begin(Options const& options, AnyScene const& scene, std::string const& mesh)
 {
   auto const out = std::filesystem::absolute(
       options.out.empty() ? std::filesystem::path("results") / scene.name : options.out);
   prepare_results(scene.source,
                   files_of(scene.solids, scene.materials,
-                           scene.reference ? scene.reference->file : std::string()),
+                           {mesh, scene.reference ? scene.reference->file : std::string()}),
                   out);
   core::start_log(out, options.quiet ? core::Console::quiet : core::Console::normal);
   catch_stop_signals();
@@ -31,10 +32,10 @@ void run_command(Options const& options)
 {
   if (is_body_scene(options.scene, options.set)) {
     auto const scene = read_body_scene(options.scene, options.set);
-    return run_body(scene, begin(options, scene));
+    return run_body(scene, begin(options, scene, scene.body.file));
   }
   Scene const scene = read_scene(options.scene, options.set);
-  run(scene, {.out = begin(options, scene), .quiet = options.quiet});
+  run(scene, {.out = begin(options, scene, ""), .quiet = options.quiet});
 }
 
 }  // namespace velum::cases

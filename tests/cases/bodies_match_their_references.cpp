@@ -20,7 +20,9 @@
 #include "cases/app/body_model.hpp"
 #include "cases/app/body_run.hpp"
 #include "structure/modes.hpp"
+#include "structure/sheet_mesh.hpp"
 #include "tests/cases/scene_file.hpp"
+#include "tests/structure/gmsh_files.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/summary.hpp"
 
@@ -75,6 +77,40 @@ TEST_F(BodyScenes, DiscOnARingSeatIsHeldAsComputed)
   EXPECT_LT(figure("pole_deflection_error_max"), 0.02);
   EXPECT_NEAR(figure("seat_force_error"), 0, 0.01);
   EXPECT_GT(figure("penetration"), 1e-7);
+}
+
+// A disc of triangles written as Gmsh does, in millimetres, and held by the name of its rim, is the
+// disc that the program makes.
+TEST_F(BodyScenes, DiscFromAMeshIsTheDisc)
+{
+  std::string const set = "load.volumes=[2500 mm3]";
+  run("inflated_disc", {"body.element=1 mm", set});
+  double const made = figure("pole_deflection");
+  auto const mesh = structure::disc_mesh(structure::graded(0, 10, 10));
+  std::ofstream(folder.path / "disc.msh", std::ios::binary)
+      << tests::msh(tests::MshContents(mesh), {41, true});
+  std::ofstream(folder.path / "disc.toml") << R"(name = "disc"
+fidelity = "structure"
+[body]
+shape = "mesh"
+elements = "triangles"
+file = "disc.msh"
+unit = "1 mm"
+clamp = ["rim"]
+material = "rubber"
+thickness = "0.1 mm"
+[material.rubber]
+shear_modulus = "1 MPa"
+density = "1100 kg/m3"
+[load]
+pressures = ["100 Pa", "17.5 kPa"]
+)";
+  auto const scene = cases::read_body_scene(folder.path / "disc.toml");
+  EXPECT_NEAR(cases::slenderness(scene.body), 0.01, 1e-6);
+  cases::run_body(scene, folder.path);
+  EXPECT_NEAR(figure("deflection_max") / made, 1, 1e-6);
+  EXPECT_THROW(cases::read_body_scene(folder.path / "disc.toml", {"body.clamp=[edge]"}),
+               core::InputError);
 }
 
 /// The sentence with which a body's scene is refused.
