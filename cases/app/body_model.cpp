@@ -138,8 +138,7 @@ BodyModel<Body>::BodyModel(BodyScene const& scene) : span(cases::span(scene.body
   set_pressure(scene.load.side, 0);
   loads.push_back(structure::pressure_load(body, pressure));
   if (has_bending(scene.body)) {
-    bending = bending_of(body, scene.body.rim == cases::Rim::clamped ? structure::Rim::clamped
-                                                                     : structure::Rim::hinged);
+    bending = bending_of(body, scene.body.rim);
     loads.push_back(structure::bending_load(bending));
   }
   if (scene.contact) {
@@ -149,13 +148,12 @@ BodyModel<Body>::BodyModel(BodyScene const& scene) : span(cases::span(scene.body
 }
 
 template <class Body>
-void BodyModel<Body>::set_pressure(BodySide side, double p)
+void BodyModel<Body>::set_pressure(Side side, double p)
 {
   if constexpr (in_space)
-    pressure = Eigen::VectorXd::Constant(element_count(body), side == BodySide::plus ? p : -p);
+    pressure = Eigen::VectorXd::Constant(element_count(body), side == Side::plus ? p : -p);
   else
-    pressure = structure::uniform_pressure(
-        body, side == BodySide::plus ? structure::Side::plus : structure::Side::minus, p);
+    pressure = structure::uniform_pressure(body, side, p);
 }
 
 template struct BodyModel<structure::Membrane>;

@@ -31,7 +31,7 @@ struct BodyModel {
   std::vector<structure::Load> loads;  // pressure, bending, contact
   double span = 0;
 
-  void set_pressure(BodySide side, double pressure);
+  void set_pressure(Side side, double pressure);
 };
 
 /// What the seat carries, SI; the force along the first axis.

@@ -1,5 +1,7 @@
 #include "cases/app/body_output.hpp"
 
+#include "structure/internal_force.hpp"
+#include "structure/sheet_force.hpp"
 #include "structure/volume_control.hpp"
 
 #include <algorithm>
@@ -93,11 +95,10 @@ template <class Body>
 BodyState state_of(BodyScene const& scene, BodyModel<Body> const& model, double pressure,
                    int iterations, StretchRecord& stretch)
 {
-  StretchRecord now;
-  note_stretch(now, model.body, material(scene));
   note_stretch(stretch, model.body, material(scene));
   BodyState state{pressure, volume_of(structure::inflation(model.body), model.body),
-                  deflection(scene, model.body), now.largest};
+                  deflection(scene, model.body),
+                  structure::largest_stretch(model.body, model.body.position)};
   state.iterations = iterations;
   if (model.contact) {
     auto const seat = seat_figures(model);

@@ -120,7 +120,7 @@ BodyLoad read_load(SceneTable table)
   table.allow({"pressures", "side", "volumes"});
   BodyLoad load;
   load.pressures = table.quantities("pressures", Dimension::pressure);
-  load.side = table.choice<BodySide>("side", BodySide::minus);
+  load.side = table.choice<Side>("side", Side::minus);
   if (table.has("volumes")) load.volumes = table.quantities("volumes", Dimension::volume);
   if (!std::ranges::is_sorted(load.volumes, std::less_equal<>()))
     table.fail("volumes", "must ascend: each state starts from the one before.");
@@ -181,7 +181,7 @@ BodyScene compose(SceneTable root)
     if (root.has("load"))
       root.fail("march", "and \"load\" both say what presses on the body; keep one.");
     scene.march = read_march(root.table("march"));
-    scene.load.side = root.table("march").choice<BodySide>("side", BodySide::minus);
+    scene.load.side = root.table("march").choice<Side>("side", Side::minus);
   } else {
     scene.load = read_load(root.table("load"));
   }
@@ -218,7 +218,7 @@ void check(BodyScene const& scene)
       reject(scene.source, "load.volumes",
              "is for membranes: past the limit point velum knows no bending; say body.bending = "
              "\"off\".");
-    if (scene.load.side == BodySide::plus)
+    if (scene.load.side == Side::plus)
       reject(scene.source, "load.volumes", "is enclosed below: load.side must be \"minus\".");
   }
   if (scene.modes > 0 && !has_bending(scene.body))
@@ -269,10 +269,6 @@ double span(SoftBody const& body)
 
 double slenderness(SoftBody const& body) { return largest_magnitude(body.thickness) / span(body); }
 
-bool has_bending(SoftBody const& body)
-{
-  return body.bending == Bending::on ||
-         (body.bending == Bending::auto_ && slenderness(body) >= bending_from);
-}
+bool has_bending(SoftBody const& body) { return bends(body.bending, slenderness(body)); }
 
 }  // namespace velum::cases

@@ -1,6 +1,7 @@
 #pragma once
 #include "cases/app/scene.hpp"
 #include "structure/gmsh.hpp"
+#include "structure/pressure_load.hpp"
 #include "structure/scheme.hpp"
 
 namespace velum::cases {
@@ -9,7 +10,7 @@ namespace velum::cases {
 /// space.
 enum class Elements { lines, triangles };
 enum class BodyShape { disc, annulus, strip, tube, mesh };
-enum class BodySide { minus, plus };
+using structure::Side;
 enum class LoadScale { membrane, plate };
 
 /// A flat body across the first axis, a tube about it, or a surface of triangles from a file; held
@@ -33,7 +34,7 @@ struct SoftBody {
 /// The states that a run goes through: the pressures in their order, then the volumes.
 struct BodyLoad {
   std::vector<double> pressures;  // on one side, towards the other
-  BodySide side = BodySide::minus;
+  Side side = Side::minus;
   std::vector<double> volumes;  // enclosed between the body and its undeformed state
 };
 

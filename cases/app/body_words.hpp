@@ -17,10 +17,6 @@ inline Words<BodyShape> words(BodyShape)
           {"tube", BodyShape::tube},
           {"mesh", BodyShape::mesh}};
 }
-inline Words<BodySide> words(BodySide)
-{
-  return {{"minus", BodySide::minus}, {"plus", BodySide::plus}};
-}
 inline Words<LoadScale> words(LoadScale)
 {
   return {{"membrane", LoadScale::membrane}, {"plate", LoadScale::plate}};

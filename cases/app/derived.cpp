@@ -119,10 +119,8 @@ void derive_membrane(Scene const& scene, Derived& d)
   d.thickness = smallest_thickness(sheet);
   d.mass_ratio = material.density * d.thickness / (scene.fluid.density * scene.lattice.dx);
   auto const membrane = make_membrane(scene);
-  std::vector<structure::Load> bending;
-  if (auto const load = bending_of(sheet, membrane)) bending = {load};
   d.structure_step = structure::stable_step(membrane, structure::lumped_mass(membrane),
-                                            membrane.reference, bending);
+                                            membrane.reference, bending_of(sheet, membrane));
   d.sub_steps = structure::substeps_for(d.units.dt, d.structure_step);
   // The undamped limit is 2 / omega, so omega^2 = 4 / step^2.
   if (material.damping_stiffness > 0)
@@ -170,12 +168,12 @@ structure::Membrane make_membrane(Scene const& scene)
        .axial = sheet.position});
 }
 
-structure::Load bending_of(MembraneSheet const& sheet, structure::Membrane const& membrane)
+std::vector<structure::Load> bending_of(MembraneSheet const& sheet,
+                                        structure::Membrane const& membrane)
 {
   if (!has_bending(sheet)) return {};
-  return structure::bending_load(
-      std::make_shared<structure::LineBending const>(structure::line_bending(
-          membrane, sheet.rim == Rim::clamped ? structure::Rim::clamped : structure::Rim::hinged)));
+  return {structure::bending_load(std::make_shared<structure::LineBending const>(
+      structure::line_bending(membrane, sheet.rim)))};
 }
 
 Derived derive(Scene const& scene)

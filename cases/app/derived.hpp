@@ -48,7 +48,8 @@ Derived derive(Scene const& scene);
 /// @pre the scene has a membrane
 structure::Membrane make_membrane(Scene const& scene);
 
-/// Its bending as a load, in the membrane's own units; empty where it has none.
-structure::Load bending_of(MembraneSheet const& sheet, structure::Membrane const& membrane);
+/// Its bending as a load, in the membrane's own units; none where it does not bend.
+std::vector<structure::Load> bending_of(MembraneSheet const& sheet,
+                                        structure::Membrane const& membrane);
 
 }  // namespace velum::cases

@@ -67,7 +67,7 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
   HydrostaticScene s{lattice_membrane(scene, d), {}, {}, {}, {}, 1, {}, {}, {}};
   auto const& sheet = *scene.membrane;
   double const dx = d.units.dx;
-  if (auto const bending = bending_of(sheet, s.membrane)) s.bending = s.loads = {bending};
+  s.bending = s.loads = bending_of(sheet, s.membrane);
   if (sheet.centre) {
     s.driven = centre_nodes(s.membrane, sheet.centre->radius / dx);
     for (int a : s.driven) s.membrane.fixed[2 * a] = s.membrane.fixed[2 * a + 1] = 1;

@@ -6,6 +6,7 @@
 #include "core/symmetry.hpp"
 #include "core/vec.hpp"
 #include "lbm/fluid.hpp"
+#include "structure/sheet_bending.hpp"
 
 #include <array>
 #include <filesystem>
@@ -33,7 +34,7 @@ enum class Operation { add, subtract };
 enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, moving_wall };
 enum class Axis { x, y, z };
 enum class MembraneShape { disc, strip };
-enum class Rim { clamped, hinged };
+using structure::Rim;
 enum class Bending { auto_, on, off };
 enum class ContactMethod { penalty, augmented_lagrangian };
 enum class LipPressure { none, linear };
@@ -145,6 +146,10 @@ struct MembraneSheet {
 /// Thickness over what a membrane spans; above the limit bending is on where the scene leaves it to
 /// the program.
 constexpr double bending_from = 0.02;
+inline bool bends(Bending asked, double slenderness)
+{
+  return asked == Bending::on || (asked == Bending::auto_ && slenderness >= bending_from);
+}
 double slenderness(MembraneSheet const& membrane);
 bool has_bending(MembraneSheet const& membrane);
 

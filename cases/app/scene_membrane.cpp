@@ -122,8 +122,7 @@ double slenderness(MembraneSheet const& membrane)
 
 bool has_bending(MembraneSheet const& membrane)
 {
-  return membrane.bending == Bending::on ||
-         (membrane.bending == Bending::auto_ && slenderness(membrane) >= bending_from);
+  return bends(membrane.bending, slenderness(membrane));
 }
 
 }  // namespace velum::cases

@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/app/scene.hpp"
+#include "structure/pressure_load.hpp"
 #include "structure/scheme.hpp"
 
 #include <algorithm>
@@ -47,6 +48,10 @@ inline Words<structure::TimeScheme> words(structure::TimeScheme)
 {
   return {{"explicit", structure::TimeScheme::explicit_substeps},
           {"implicit", structure::TimeScheme::implicit}};
+}
+inline Words<structure::Side> words(structure::Side)
+{
+  return {{"minus", structure::Side::minus}, {"plus", structure::Side::plus}};
 }
 inline Words<Precision> words(Precision)
 {

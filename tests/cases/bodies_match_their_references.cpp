@@ -144,7 +144,7 @@ double by_modes(cases::BodyScene const& scene, double time)
 {
   cases::BodyModel<structure::Membrane> model(scene);
   auto const modes = structure::slowest_modes(model.body, model.loads, 12);
-  model.set_pressure(cases::BodySide::minus, 1);
+  model.set_pressure(cases::Side::minus, 1);
   Eigen::VectorXd const force = tests::force_of(model.loads.front(), model.body.reference);
   double sum = 0;
   for (int k = 0; k < modes.omega.size(); ++k)
