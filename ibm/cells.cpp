@@ -17,9 +17,10 @@ double gap_at(Cells const& cells, Surface const& surface, lbm::Walls const& wall
 
 }  // namespace
 
-Cells make_cells(lbm::Walls const& walls, core::Vec2 origin)
+Cells make_cells(lbm::Walls const& walls, core::Vec2 origin, bool dry_plus)
 {
   Cells cells;
+  cells.dry_plus = dry_plus;
   cells.labels = make_labels(walls.nx, walls.ny, origin);
   cells.state.assign(walls.solid.size(), wall);
   for (std::size_t k = 0; k < walls.solid.size(); ++k)
@@ -31,6 +32,9 @@ Cells make_cells(lbm::Walls const& walls, core::Vec2 origin)
 bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls)
 {
   Labels& labels = cells.labels;
+  auto const side = [&](std::size_t k) -> std::uint8_t {
+    return cells.dry_plus && labels.side[k] == plus_side ? std::uint8_t(inside) : labels.side[k];
+  };
   sort_into_rows(cells.plus_index, surface.plus, labels.origin[1], labels.ny);
   sort_into_rows(cells.minus_index, surface.minus, labels.origin[1], labels.ny);
   cells.changes.clear();
@@ -42,13 +46,12 @@ bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls)
   };
   if (classify(labels, surface))
     for (std::size_t k = 0; k < cells.state.size(); ++k)
-      if (!walls.solid[k] && !(cells.state[k] == film && labels.side[k] != inside))
-        change(k, labels.side[k]);
+      if (!walls.solid[k] && !(cells.state[k] == film && side(k) != inside)) change(k, side(k));
   for (int site : cells.near_wall) {
     auto const k = static_cast<std::size_t>(site);
-    if (labels.side[k] == inside) continue;
+    if (side(k) == inside) continue;
     double const threshold = cells.state[k] == film ? film_opens : film_closes;
-    change(k, gap_at(cells, surface, walls, k) < threshold ? std::uint8_t(film) : labels.side[k]);
+    change(k, gap_at(cells, surface, walls, k) < threshold ? std::uint8_t(film) : side(k));
   }
   return !cells.changes.empty();
 }

@@ -24,6 +24,7 @@ struct CellChange {
 /// State of every site under rigid walls and a membrane.
 struct Cells {
   Labels labels;
+  bool dry_plus = false;  // no fluid above the plus face: its sites count as the membrane's inside
   FaceIndex plus_index, minus_index;
   std::vector<std::uint8_t> state;  // [ny][nx]
   std::vector<int> near_wall;       // sites whose wall is near enough for a film
@@ -32,7 +33,7 @@ struct Cells {
   std::uint8_t at(int i, int j) const { return state[static_cast<std::size_t>(j * labels.nx + i)]; }
 };
 
-Cells make_cells(lbm::Walls const& walls, core::Vec2 origin);
+Cells make_cells(lbm::Walls const& walls, core::Vec2 origin, bool dry_plus = false);
 
 /// Brings the states up to date with the surface; true if any changed, changes lists which.
 bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls);

@@ -1,5 +1,8 @@
 #include "ibm/contact_load.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "structure/faces.hpp"
 #include "structure/mass.hpp"
 
@@ -26,6 +29,14 @@ void follow_thickness(SeatContact& seat, structure::Membrane const& membrane, do
   structure::locate_faces(membrane, membrane.position, 1.0, faces);
   for (std::size_t a = 0; a < seat.markers.offset.size(); ++a)
     seat.markers.offset[a] += share * (faces.thickness[a] / 2 - seat.markers.offset[a]);
+}
+
+double narrowest_gap(SeatContact const& seat)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < seat.markers.X.size(); ++a)
+    least = std::min(least, contact::gap(seat.contact, seat.markers, a));
+  return least;
 }
 
 void press(SeatContact& seat, Eigen::VectorXd const& x)

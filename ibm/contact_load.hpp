@@ -29,6 +29,9 @@ void follow_thickness(SeatContact& seat, structure::Membrane const& membrane, do
 /// penalty's force would depend on a strain that it does no work on.
 constexpr double thickness_share = 1.0 / 2000;
 
+/// The least distance of a face from the seat, as the contact sees it; below 0 where it penetrates.
+double narrowest_gap(SeatContact const& seat);
+
 /// Places the markers at x and computes their contact forces.
 void press(SeatContact& seat, Eigen::VectorXd const& x);
 

@@ -1,7 +1,9 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "ibm/chambers.hpp"
 #include "ibm/contact_load.hpp"
 #include "ibm/face_pressure.hpp"
 #include "lbm/opening.hpp"
@@ -26,6 +28,7 @@ struct Coupled {
   structure::ExplicitStepper stepper;
   std::vector<structure::Load> loads;  // spring and contact
   std::shared_ptr<SeatContact> seat;   // empty without contact
+  std::optional<Chambers> chambers;    // lumped, where the scene has any
   core::Obstacle walls;                // all rigid solids
   FacePressure pressure;
   Scheme scheme = Scheme::implicit;

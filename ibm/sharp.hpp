@@ -39,10 +39,11 @@ struct Sharp {
 };
 
 /// Prepares the boundary for a fluid whose rigid walls are known, at the membrane's present place.
+/// @param dry_plus  no lattice fluid touches the plus face: what is there is a lumped chamber
 template <class Real>
 Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
                        std::vector<lbm::WallHit> const& wall_hits,
-                       structure::Membrane const& membrane, double divide);
+                       structure::Membrane const& membrane, double divide, bool dry_plus = false);
 
 /// Force of the fluid on the nodes were the membrane at rest, F0, and the block Z by which it falls
 /// with the velocity. Per link, momentum exchange relative to the rest density:

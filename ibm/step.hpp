@@ -46,10 +46,13 @@ Eigen::VectorXd advance(Coupled<Real, Body>& s)
       e.force.segment<2>(k) -= e.block[a] * velocity.segment<2>(k);
     }
   }
-  auto const& mean = structure::advance(s.stepper, s.membrane, e.force,
-                                        carries_block ? std::span<Eigen::Matrix2d const>(e.block)
-                                                      : std::span<Eigen::Matrix2d const>(),
-                                        1.0, s.substeps, s.loads);
+  if (s.chambers) begin_step(*s.chambers, s.openings, s.membrane);
+  auto const& mean =
+      structure::advance(s.stepper, s.membrane, e.force,
+                         carries_block ? std::span<Eigen::Matrix2d const>(e.block)
+                                       : std::span<Eigen::Matrix2d const>(),
+                         1.0, s.substeps, s.loads, s.chambers ? &s.chambers->enclosed : nullptr);
+  if (s.chambers) end_step(*s.chambers, s.openings, s.targets, mean);
   if (carries_block || s.one_way) velocity = mean;
   s.membrane_seconds += timer.seconds();
   return velocity;

@@ -5,7 +5,10 @@
 #include "structure/mass.hpp"
 #include "structure/sheet_force.hpp"
 
+#include <Eigen/LU>
+
 #include <cmath>
+#include <optional>
 
 namespace velum::structure {
 namespace {
@@ -73,6 +76,50 @@ void restrain(ExplicitStepper& s, Body const& m)
     }
 }
 
+void solve(ExplicitStepper const& s, Eigen::VectorXd const& rhs, Eigen::VectorXd& v)
+{
+  std::visit([&](auto& solver) { v = solver.solve(rhs); }, *s.solver);
+}
+
+/// What the enclosed pressures add to a sub-step, by Woodbury's formula: with B = A_matrix^-1 h A
+/// on the free components, v' = v0 + B p' turns the pressures' own equation into
+///   (C/h + G + A^T B) p' = C/h p + q - A^T v0,
+/// as many unknowns as there are volumes.
+struct Enclosing {
+  Enclosures& volumes;
+  double h;
+  Eigen::MatrixXd answer;  // B   [dN][m]
+  Eigen::PartialPivLU<Eigen::MatrixXd> small;
+
+  Enclosing(Enclosures& enclosed, ExplicitStepper const& s, std::vector<char> const& fixed,
+            double step)
+      : volumes(enclosed), h(step), answer(enclosed.area)
+  {
+    Eigen::VectorXd column, moved;
+    for (int k = 0; k < answer.cols(); ++k) {
+      column = h * enclosed.area.col(k);
+      for (int i = 0; i < column.size(); ++i)
+        if (fixed[static_cast<std::size_t>(i)]) column[i] = 0;
+      solve(s, column, moved);
+      answer.col(k) = moved;
+    }
+    Eigen::MatrixXd matrix = enclosed.conductance + enclosed.area.transpose() * answer;
+    matrix.diagonal() += enclosed.compliance / h;
+    small.compute(matrix);
+    enclosed.mean = Eigen::VectorXd::Zero(enclosed.pressure.size());
+  }
+
+  /// v0 -> v'
+  void add(Eigen::VectorXd& v)
+  {
+    Eigen::VectorXd const given = volumes.compliance.cwiseProduct(volumes.pressure) / h +
+                                  volumes.inflow - volumes.area.transpose() * v;
+    volumes.pressure = small.solve(given);
+    volumes.mean += volumes.pressure;
+    v += answer * volumes.pressure;
+  }
+};
+
 }  // namespace
 
 template <class Body>
@@ -107,7 +154,7 @@ ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
 template <class Body>
 Eigen::VectorXd const& advance(ExplicitStepper& s, Body& m, Eigen::VectorXd const& F0,
                                std::span<NodeBlock<Body> const> Z, double dt, int substeps,
-                               std::span<Load const> loads)
+                               std::span<Load const> loads, Enclosures* enclosed)
 {
   constexpr int d = Body::dimension;
   double const h = dt / substeps;
@@ -115,6 +162,8 @@ Eigen::VectorXd const& advance(ExplicitStepper& s, Body& m, Eigen::VectorXd cons
   restrain(s, m);
   std::visit([&](auto& solver) { solver.factorize(s.A); }, *s.solver);
   s.mean.setZero();
+  std::optional<Enclosing> volumes;
+  if (enclosed) volumes.emplace(*enclosed, s, m.fixed, h);
 
   for (int n = 0; n < substeps; ++n) {
     s.force = F0;
@@ -123,11 +172,13 @@ Eigen::VectorXd const& advance(ExplicitStepper& s, Body& m, Eigen::VectorXd cons
     for (int i = 0; i < s.rhs.size(); ++i)
       s.rhs[i] = m.fixed[i] ? m.velocity[i]
                             : s.mass[i / d] * m.velocity[i] + h * s.force[i] + s.prescribed[i];
-    std::visit([&](auto& solver) { m.velocity = solver.solve(s.rhs); }, *s.solver);
+    solve(s, s.rhs, m.velocity);
+    if (volumes) volumes->add(m.velocity);
     m.position += h * m.velocity;
     s.mean += m.velocity;
   }
   s.mean /= substeps;
+  if (enclosed) enclosed->mean /= substeps;
   for (int a = 0; a < node_count(m); ++a)
     if (!s.mean.segment<d>(d * a).allFinite())
       throw core::Divergence("the membrane's motion is no longer finite, first at node " +
@@ -145,9 +196,9 @@ template ExplicitStepper explicit_stepper(Sheet const&, Rayleigh const&, Eigen::
                                           std::span<Load const>);
 template Eigen::VectorXd const& advance(ExplicitStepper&, Membrane&, Eigen::VectorXd const&,
                                         std::span<Eigen::Matrix2d const>, double, int,
-                                        std::span<Load const>);
+                                        std::span<Load const>, Enclosures*);
 template Eigen::VectorXd const& advance(ExplicitStepper&, Sheet&, Eigen::VectorXd const&,
                                         std::span<Eigen::Matrix3d const>, double, int,
-                                        std::span<Load const>);
+                                        std::span<Load const>, Enclosures*);
 
 }  // namespace velum::structure

@@ -1,5 +1,6 @@
 #pragma once
 #include "structure/damping.hpp"
+#include "structure/enclosure.hpp"
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
 #include "structure/sheet.hpp"
@@ -52,13 +53,14 @@ ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
 /// Returns the mean of v' over the sub-steps, vbar: the impulse of the force F0 - Z v on a free
 /// node is dt (F0 - Z vbar) exactly. Prescribed components keep their velocity. Stable for
 /// h < stable_step().
-/// @param F0  force at zero wall velocity
-/// @param Z   symmetric positive semi-definite block per node, or empty [N]
-/// @return    valid until the next call                                 [2N]
+/// @param F0        force at zero wall velocity
+/// @param Z         symmetric positive semi-definite block per node, or empty [N]
+/// @param enclosed  volumes whose pressures push the body, found with v' (enclosure.hpp), or null
+/// @return          valid until the next call                                 [2N]
 /// Throws core::Divergence where the motion is no longer finite.
 template <class Body>
 Eigen::VectorXd const& advance(ExplicitStepper& stepper, Body& m, Eigen::VectorXd const& F0,
                                std::span<NodeBlock<Body> const> Z, double dt, int substeps,
-                               std::span<Load const> loads);
+                               std::span<Load const> loads, Enclosures* enclosed = nullptr);
 
 }  // namespace velum::structure

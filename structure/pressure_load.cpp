@@ -70,4 +70,11 @@ Load pressure_load(Membrane const& m, FacePressure const& pressure)
   };
 }
 
+Eigen::VectorXd pressure_force(Membrane const& m, FacePressure const& pressure)
+{
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(m.position.size());
+  pressure_load(m, pressure)(m.position, force, nullptr);
+  return force;
+}
+
 }  // namespace velum::structure

@@ -32,4 +32,8 @@ FacePressure uniform_pressure(Membrane const& m, Side side, double pressure);
 /// @param m, pressure  kept by reference: must outlive the load; may change between calls
 Load pressure_load(Membrane const& m, FacePressure const& pressure);
 
+/// The same at the present positions: for a field that is 1 in a region of fluid and 0 elsewhere
+/// the derivative of the region's volume by the positions.   [2N]
+Eigen::VectorXd pressure_force(Membrane const& m, FacePressure const& pressure);
+
 }  // namespace velum::structure

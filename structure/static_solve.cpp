@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace velum::structure {
 namespace {
@@ -81,6 +82,16 @@ double extent(Sheet const& s)
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm() / 2;
 }
 
+/// Force that the rounding of the positions alone leaves on a node: stiff bending or contact cannot
+/// balance better.
+double rounding(Matrix const& K, Eigen::VectorXd const& x)
+{
+  Eigen::VectorXd rows = Eigen::VectorXd::Zero(K.rows());
+  for (int k = 0; k < K.outerSize(); ++k)
+    for (Matrix::InnerIterator it(K, k); it; ++it) rows[it.row()] += std::abs(it.value());
+  return std::numeric_limits<double>::epsilon() * rows.maxCoeff() * x.cwiseAbs().maxCoeff();
+}
+
 struct Relaxation {
   bool converged = false;
   bool burst = false;
@@ -98,7 +109,7 @@ Relaxation relax(Body& m, std::span<Load const> loads, double share, Matrix cons
   constexpr double enough = 0.3;  // part of the residual a step may leave unexplained
   Relaxation r;
   r.last = balance(m, loads, share);
-  double const floor = rounding_force(m, m.position);
+  double const elastic_floor = rounding_force(m, m.position);
   double const burst = std::max(options.largest_stretch, 2 * largest_stretch(m, m.position));
   Eigen::VectorXd const inertia = mass.diagonal();
   double shift = r.last.residual.cwiseAbs().cwiseQuotient(inertia).maxCoeff() / reach;
@@ -109,6 +120,7 @@ Relaxation relax(Body& m, std::span<Load const> loads, double share, Matrix cons
     double const tiny = 1e-10 * K.diagonal().cwiseQuotient(inertia).maxCoeff();
     double const now = r.last.residual.cwiseAbs().maxCoeff();
     if (!std::isfinite(now)) return r;
+    double const floor = std::max(elastic_floor, rounding(K, m.position));
     if (now <= options.tolerance * r.last.scale + floor) {
       Matrix const nudged = K + tiny * mass;
       r.converged = Factors(nudged).definite;

@@ -34,6 +34,21 @@ std::string les_in_words(Scene const& scene, double smagorinsky)
                      smagorinsky);
 }
 
+std::string orifice_in_words(OrificeSection const& o)
+{
+  std::string text = fmt::format("from {} to {}: {:.4g} mm2, Cd {:.3g} / sqrt(1 + {:.3g} / Re)",
+                                 o.from, o.to, 1e6 * o.area, o.discharge, o.transition);
+  if (o.length > 0) text += fmt::format(", inertia of {:.3g} mm", 1e3 * o.length);
+  if (!o.seat) return text;
+  text += fmt::format("; in series a gap {:.3g} mm long on a ring of {:.3g} mm, Cd {:.3g}",
+                      1e3 * o.seat->land, 1e3 * o.seat->diameter, o.seat->discharge);
+  if (o.member)
+    text += fmt::format(
+        ", which an elastic membrane of {:.3g} mm lifts off, at rest under what moves its boss",
+        2e3 * o.member->radius);
+  return text;
+}
+
 }  // namespace
 
 std::string bending_in_words(Bending asked, bool on, double slenderness, std::string const& rim)
@@ -62,7 +77,15 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
 {
   core::Assumptions a;
   a["fidelity"] = word(scene.fidelity);
-  if (scene.fidelity != Fidelity::hydrostatic) {
+  if (scene.fidelity == Fidelity::lumped) {
+    a["time step"] = fmt::format("{:.4g} s", d.units.dt);
+    a["compressibility"] = "none below the membrane; that of the chambers";
+    a["gap"] = fmt::format(
+        "lubrication and the velocity head over {:.3g}^2 (Cd) at its narrowest; sealed below "
+        "{:.3g} "
+        "um; a film as wide as the contact carries the lip's pressure",
+        scene.gap.discharge, 1e6 * scene.gap.seals_at);
+  } else if (scene.fidelity != Fidelity::hydrostatic) {
     a["time step"] =
         fmt::format("{:.4g} s, from Mach {:.3g} at {:.4g} m/s", d.units.dt, d.mach, d.velocity);
     a["compressibility"] = fmt::format(
@@ -110,6 +133,11 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
                           word(scene.coupling.method))
             : fmt::format("{}, {}", word(scene.coupling.method), word(scene.coupling.scheme));
   }
+  for (auto const& c : scene.chambers)
+    a["chamber " + c.name] = fmt::format(
+        "one pressure, {:.4g} mm3 of bulk modulus {:.3g} GPa{}", 1e9 * c.volume,
+        1e-9 * c.bulk_modulus, c.side == ChamberSide::above ? ", above the membrane" : "");
+  for (auto const& o : scene.orifices) a["orifice " + o.name] = orifice_in_words(o);
   if (scene.contact) {
     a["contact"] = fmt::format("frictionless, {}", word(scene.contact->method));
     a["pressure under the lip"] = word(scene.contact->lip_pressure);

@@ -11,6 +11,7 @@
 #include "cases/app/certificate.hpp"
 #include "cases/app/dump.hpp"
 #include "cases/app/material_range.hpp"
+#include "cases/app/network_columns.hpp"
 #include "cases/app/progress.hpp"
 #include "cases/app/stop.hpp"
 #include "core/check.hpp"
@@ -23,32 +24,50 @@ namespace velum::cases {
 namespace {
 
 constexpr long guard_every = 200;     // steps
-constexpr int samples_per_run = 400;  // rows of series.csv
+constexpr int samples_per_run = 400;  // rows of series.csv at least
 constexpr double window_share = 0.5;  // of the settling stage: over which leaks are averaged
 
-std::vector<core::Column> columns()
+std::vector<core::Column> columns(Scene const& scene)
 {
-  return {{"pressure_above", "Pa"},
-          {"pressure_outside", "Pa"},
-          {"pressure_inside", "Pa"},
-          {"centre", "m"},
-          {"penetration", "m"},
-          {"seat_force", "N"},
-          {"outflow", "m3"},
-          {"inflow", "m3"},
-          {"leak_through_seat", "m3"},
-          {"leak_through_membrane", "m3"},
-          {"volume_inside", "m3"},
-          {"speed_max", "m/s"},
-          {"sealed", "1"}};
+  std::vector<core::Column> c = {{"pressure_above", "Pa"},
+                                 {"pressure_outside", "Pa"},
+                                 {"pressure_inside", "Pa"},
+                                 {"centre", "m"},
+                                 {"penetration", "m"},
+                                 {"seat_force", "N"},
+                                 {"outflow", "m3"},
+                                 {"inflow", "m3"},
+                                 {"leak_through_seat", "m3"},
+                                 {"leak_through_membrane", "m3"},
+                                 {"volume_inside", "m3"},
+                                 {"speed_max", "m/s"},
+                                 {"sealed", "1"},
+                                 {"gap", "m"},
+                                 {"flow", "m3/s"}};
+  auto const more = network_columns(scene);
+  c.insert(c.end(), more.begin(), more.end());
+  return c;
 }
 
 std::vector<double> row(Measurement const& m)
 {
-  return {m.pressure_above,    m.pressure_outside, m.pressure_inside, m.centre,
-          m.penetration,       m.seat_force,       m.outflow,         m.inflow,
-          m.through_seat,      m.through_membrane, m.volume_inside,   m.speed_max,
-          m.sealed ? 1.0 : 0.0};
+  std::vector<double> r = {m.pressure_above,
+                           m.pressure_outside,
+                           m.pressure_inside,
+                           m.centre,
+                           m.penetration,
+                           m.seat_force,
+                           m.outflow,
+                           m.inflow,
+                           m.through_seat,
+                           m.through_membrane,
+                           m.volume_inside,
+                           m.speed_max,
+                           m.sealed ? 1.0 : 0.0,
+                           m.gap,
+                           m.flow};
+  r.insert(r.end(), m.network.begin(), m.network.end());
+  return r;
 }
 
 double jump(Measurement const& m)
@@ -108,10 +127,11 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   Derived const& d = s.derived;
   double const dt = d.units.dt;
   long const settle = std::lround(scene.run.settle / dt), total = std::lround(scene.run.end / dt);
-  long const sample = std::max<long>(1, total / samples_per_run);
+  long const sample = std::clamp(std::lround(scene.run.sample_every / dt), 1L,
+                                 std::max(1L, total / samples_per_run));
   long const window = std::lround(double(settle) * (1 - window_share));
   Output out{core::create_fields(options.out, d.grid, assumptions(scene, d, smagorinsky)),
-             core::start_series(options.out / "series.csv", columns()), 0};
+             core::start_series(options.out / "series.csv", columns(scene)), 0};
   ProgressLine progress(options.quiet);
   Flows flows;
 
@@ -131,7 +151,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
   StretchRecord stretch;
   note_stretch(stretch, s.state.membrane, material);
 
-  Measurement now = measure(s, flows, 0);
+  Measurement now = measure(s, scene, flows, 0);
   if (!s.driven.empty()) c.driven = start_record(now);
   record(out, s, now, scene.run.output_every);
   c.window_begin = c.settled = now;
@@ -156,7 +176,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
       stopped = stop_requested();
     }
     if (n % sample == 0 || n == total || n == settle || n == window || stopped) {
-      now = measure(s, flows, double(n) * dt);
+      now = measure(s, scene, flows, double(n) * dt);
       record(out, s, now, scene.run.output_every);
       note_stretch(stretch, s.state.membrane, material);
       if (c.driven) note(*c.driven, now);

@@ -9,16 +9,35 @@ namespace {
 
 template <class Real>
 auto make_body(std::type_identity<ibm::Sharp<Real>>, LatticeScene<Real>& l,
-               structure::Membrane const& membrane, double divide)
+               structure::Membrane const& membrane, double divide, bool dry_plus)
 {
-  return ibm::make_sharp(l.fluid, l.walls, l.wall_hits, membrane, divide);
+  return ibm::make_sharp(l.fluid, l.walls, l.wall_hits, membrane, divide, dry_plus);
 }
 
 template <class Real>
 auto make_body(std::type_identity<ibm::Diffuse<Real>>, LatticeScene<Real>& l,
-               structure::Membrane const& membrane, double divide)
+               structure::Membrane const& membrane, double divide, bool)
 {
   return ibm::make_diffuse(l.fluid, l.walls, l.wall_hits, membrane, divide);
+}
+
+/// The network of the scene, its ports tied to the openings of their boundaries.
+template <class Real, template <class> class Body>
+void add_chambers(CoupledScene<Real, Body>& s, Scene const& scene)
+{
+  auto made = make_network(scene, s.derived);
+  ibm::Chambers c{std::move(made.network), made.key.above, {}, {}, {}, {}};
+  s.key = std::move(made.key);
+  for (std::size_t b = 0; b < scene.boundaries.size(); ++b) {
+    if (scene.boundaries[b].kind != BoundaryKind::port) continue;
+    ibm::LatticePort port{{}, static_cast<int>(b)};
+    for (std::size_t k = 0; k < s.boundary.size(); ++k)
+      if (s.boundary[k] == scene.boundaries[b].name) port.openings.push_back(k);
+    c.ports.push_back(std::move(port));
+  }
+  c.volume.resize(c.network.chambers.size(), 0);
+  fill(c.network, c.volume);
+  s.state.chambers = std::move(c);
 }
 
 /// Pressure of the first opening that faces each zone, lattice units.
@@ -67,7 +86,8 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   }
   auto& state = s.state;
   state.membrane = hydrostatic.membrane;
-  state.body = make_body(std::type_identity<Body<Real>>{}, lattice, state.membrane, s.divide);
+  state.body = make_body(std::type_identity<Body<Real>>{}, lattice, state.membrane, s.divide,
+                         find_chamber(scene, ChamberSide::above) != nullptr);
   state.fluid = lattice.fluid;
   state.loads = hydrostatic.loads;
   state.seat = hydrostatic.seat;
@@ -77,18 +97,14 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   state.substeps = hydrostatic.substeps;
   state.scheme = scene.coupling.scheme == CouplingScheme::implicit ? ibm::Scheme::implicit
                                                                    : ibm::Scheme::explicit_;
-  auto const& material = scene.materials.at(scene.membrane->material);
-  state.stepper = structure::explicit_stepper(
-      state.membrane,
-      {core::to_lattice_frequency(s.derived.units, material.damping_mass),
-       core::to_lattice_time(s.derived.units, material.damping_stiffness)},
-      state.membrane.position, hydrostatic.bending);
+  state.stepper = membrane_stepper(scene, s.derived, hydrostatic);
   state.one_way = scene.coupling.feedback == Feedback::one_way;
   s.driven = hydrostatic.driven;
   for (PatchOpening const& o : lattice.openings) {
     state.openings.push_back(o.opening);
     s.boundary.push_back(o.boundary);
   }
+  if (!scene.chambers.empty()) add_chambers(s, scene);
   set_targets(s, scene, 0, false);
   // the state at rest carries the targets already: the controls have nothing to correct yet
   for (std::size_t k = 0; k < state.openings.size(); ++k)
@@ -104,12 +120,14 @@ void set_targets(CoupledScene<Real, Body>& s, Scene const& scene, double time, b
   s.state.targets.resize(s.state.openings.size());
   for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
     Boundary const& boundary = *find_boundary(scene, s.boundary[k]);
+    if (boundary.kind == BoundaryKind::port) continue;  // the network's own
     s.state.targets[k] = lattice_target(scene, s.derived, boundary, time);
     if (shut && boundary.name == "inlet") {
       s.state.openings[k].kind = lbm::OpeningKind::velocity;
       s.state.targets[k] = 0;
     }
   }
+  if (s.state.chambers) set_network(s.state.chambers->network, s.key, scene, s.derived, time, shut);
 }
 
 template <class Real, template <class> class Body>

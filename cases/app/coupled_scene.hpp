@@ -5,6 +5,7 @@
 
 #include "cases/app/hydrostatic_scene.hpp"
 #include "cases/app/lattice_scene.hpp"
+#include "cases/app/pressure_network.hpp"
 #include "ibm/diffuse.hpp"
 #include "ibm/step.hpp"
 
@@ -20,6 +21,7 @@ struct CoupledScene {
   Derived derived;
   ibm::Coupled<Real, Body> state;
   std::vector<std::string> boundary;  // of each opening
+  NetworkKey key;                     // of the chambers
   std::vector<int> driven;            // nodes of the membrane that are moved as given
   double divide = std::numeric_limits<double>::infinity();  // radius of the seat, cells; without
                                                             // one all is inside

@@ -27,7 +27,6 @@ double largest_pressure(Scene const& scene)
   return pressure;
 }
 
-/// Area of a boundary's patches; a patch on a solid counts as if it faced the axis direction.
 double area(Scene const& scene, Boundary const& boundary)
 {
   double sum = 0;
@@ -128,6 +127,11 @@ void derive_membrane(Scene const& scene, Derived& d)
 }
 
 }  // namespace
+
+double opening_area(Scene const& scene, std::string const& boundary)
+{
+  return area(scene, *find_boundary(scene, boundary));
+}
 
 double reference_velocity(Scene const& scene)
 {

@@ -40,6 +40,10 @@ double reference_velocity(Scene const& scene);
 /// velocities that boundaries impose at the end. 0 if none.
 double flow_velocity(Scene const& scene);
 
+/// Area of a boundary's patches, m2; one on a solid counts as if it faced the first axis.
+/// @pre the boundary exists
+double opening_area(Scene const& scene, std::string const& boundary);
+
 /// The step is dt = u_lat dx / u_ref with u_lat = mach / sqrt 3, or as given; a hydrostatic scene
 /// where nothing drives takes the velocity of 1 kPa.
 Derived derive(Scene const& scene);

@@ -62,6 +62,12 @@ double outlet_pressure(Scene const& scene, double time)
   return pressure_of(scene, "outlet", time);
 }
 
+double pressure_above(Scene const& scene)
+{
+  ChamberSection const* const chamber = find_chamber(scene, ChamberSide::above);
+  return chamber && chamber->initial ? *chamber->initial : inlet_pressure(scene, 0);
+}
+
 HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
 {
   HydrostaticScene s{lattice_membrane(scene, d), {}, {}, {}, {}, 1, {}, {}, {}};
@@ -105,12 +111,23 @@ void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& d)
   ibm::hydrostatic_equilibrium(s.membrane, s.seat, s.loads, s.load, augment);
   if (!contact::touches(contact::contact_patch(s.seat->contact, s.seat->markers)))
     reject(scene, "membrane", "does not reach its seat under the spring alone: nothing is sealed");
-  s.load.above = s.load.outside = core::to_lattice_pressure(d.units, inlet_pressure(scene, 0));
+  s.load.outside = core::to_lattice_pressure(d.units, inlet_pressure(scene, 0));
+  s.load.above = core::to_lattice_pressure(d.units, pressure_above(scene));
   s.load.inside = core::to_lattice_pressure(d.units, outlet_pressure(scene, 0));
   s.report = ibm::hydrostatic_equilibrium(s.membrane, s.seat, s.loads, s.load, augment);
   // other laws than the neo-Hookean one may stiffen as they are stretched
   if (scene.materials.at(scene.membrane->material).card)
     s.substeps = std::max(s.substeps, substeps_of(s, s.membrane.position));
+}
+
+structure::ExplicitStepper membrane_stepper(Scene const& scene, Derived const& d,
+                                            HydrostaticScene const& start)
+{
+  auto const& material = scene.materials.at(scene.membrane->material);
+  return structure::explicit_stepper(start.membrane,
+                                     {core::to_lattice_frequency(d.units, material.damping_mass),
+                                      core::to_lattice_time(d.units, material.damping_stiffness)},
+                                     start.membrane.position, start.bending);
 }
 
 }  // namespace velum::cases

@@ -5,6 +5,7 @@
 #include "cases/app/derived.hpp"
 #include "cases/app/scene.hpp"
 #include "ibm/hydrostatic.hpp"
+#include "structure/explicit_step.hpp"
 
 namespace velum::cases {
 
@@ -26,14 +27,21 @@ struct HydrostaticScene {
 HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& derived);
 
 /// Closes the membrane by its spring at zero pressure, then applies the pressures at time 0: the
-/// inlet's above and outside the seat, the outlet's inside.
+/// chamber's or the inlet's above, the inlet's outside the seat, the outlet's inside.
 /// Throws core::InputError where the membrane does not reach its seat: then no region is sealed and
 /// fluid at rest has no answer.
 void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& derived);
 
+/// Its explicit stepper, with the damping of the stiffness of where it is; lattice units.
+structure::ExplicitStepper membrane_stepper(Scene const& scene, Derived const& derived,
+                                            HydrostaticScene const& start);
+
 /// Pressure of the inlet and of the outlet at a time, Pa; 0 where the scene has none.
 double inlet_pressure(Scene const& scene, double time);
 double outlet_pressure(Scene const& scene, double time);
+
+/// Pressure above the membrane at the start, Pa: its chamber's, or the inlet's.
+double pressure_above(Scene const& scene);
 
 /// The hydrostatic fidelity: equilibrium alone, written as a result.
 void run_hydrostatic(Scene const& scene, std::filesystem::path const& out);

@@ -21,6 +21,7 @@ lbm::OpeningKind opening_kind(BoundaryKind kind)
     case BoundaryKind::velocity:
       return lbm::OpeningKind::velocity;
     case BoundaryKind::flow_rate:
+    case BoundaryKind::port:
       return lbm::OpeningKind::flow_rate;
     case BoundaryKind::outflow:
     case BoundaryKind::moving_wall:  // makes no opening

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cases/app/fluid_guard.hpp"
+#include "cases/app/network_columns.hpp"
 #include "core/check.hpp"
 
 namespace velum::cases {
@@ -52,12 +53,19 @@ void add_flows(Flows& flows, CoupledScene<Real, Body> const& s)
   for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
     double const in = s.state.openings[k].mass_flow;
     if (s.boundary[k] == "inlet") flows.in += in;
-    if (s.boundary[k] == "outlet") flows.out -= in;
+    if (s.boundary[k] != "outlet") continue;
+    flows.out -= in;
+    flows.recent -= in;
   }
+  if (s.state.chambers)
+    flows.recent +=
+        s.state.chambers->network.ports[static_cast<std::size_t>(find_port(s.key, "outlet"))].flow;
+  flows.steps += 1;
 }
 
 template <class Real, template <class> class Body>
-Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, double time)
+Measurement measure(CoupledScene<Real, Body> const& s, Scene const& scene, Flows& flows,
+                    double time)
 {
   auto const& units = s.derived.units;
   auto const& fluid = s.state.fluid;
@@ -66,7 +74,11 @@ Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, doubl
   auto const volume = [&](double v) { return core::to_si_volume(units, symmetry, v); };
   Measurement m;
   m.time = time;
-  m.pressure_above = pressure(Zone::above);
+  auto const& chambers = s.state.chambers;
+  bool const lumped_above = chambers && chambers->above >= 0;
+  m.pressure_above =
+      lumped_above ? core::to_si_pressure(units, ibm::pressure(chambers->network, chambers->above))
+                   : pressure(Zone::above);
   m.pressure_outside = pressure(Zone::outside);
   m.pressure_inside = pressure(Zone::inside);
   double const inside = cells_below_zero(fluid, s.state.walls, s.divide) +
@@ -78,6 +90,7 @@ Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, doubl
     auto const patch = contact::contact_patch(s.state.seat->contact, s.state.seat->markers);
     m.penetration = core::to_si_length(units, patch.penetration);
     m.seat_force = core::to_si_force(units, symmetry, patch.force);
+    m.gap = core::to_si_length(units, ibm::narrowest_gap(*s.state.seat));
   }
   lbm::Observation const seen = lbm::observe(fluid);
   m.speed_max = core::to_si_velocity(units, seen.speed_max);
@@ -87,6 +100,9 @@ Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, doubl
   m.through_seat = volume(s.state.ledger.seat);
   m.through_membrane = volume(s.state.ledger.membrane_down);
   m.sealed = is_sealed(s);
+  m.flow = flows.steps > 0 ? core::to_si_flow_rate(units, symmetry, flows.recent / flows.steps) : 0;
+  flows.recent = flows.steps = 0;
+  if (chambers) m.network = network_row(chambers->network, s.key, scene, s.derived, time);
   return m;
 }
 
@@ -117,16 +133,18 @@ void guard(CoupledScene<Real, Body> const& s, lbm::Observation const& seen, long
 }
 
 template void add_flows(Flows&, CoupledScene<float, ibm::Sharp> const&);
-template Measurement measure(CoupledScene<float, ibm::Sharp> const&, Flows const&, double);
+template Measurement measure(CoupledScene<float, ibm::Sharp> const&, Scene const&, Flows&, double);
 template void guard(CoupledScene<float, ibm::Sharp> const&, lbm::Observation const&, long);
 template void add_flows(Flows&, CoupledScene<float, ibm::Diffuse> const&);
-template Measurement measure(CoupledScene<float, ibm::Diffuse> const&, Flows const&, double);
+template Measurement measure(CoupledScene<float, ibm::Diffuse> const&, Scene const&, Flows&,
+                             double);
 template void guard(CoupledScene<float, ibm::Diffuse> const&, lbm::Observation const&, long);
 template void add_flows(Flows&, CoupledScene<double, ibm::Sharp> const&);
-template Measurement measure(CoupledScene<double, ibm::Sharp> const&, Flows const&, double);
+template Measurement measure(CoupledScene<double, ibm::Sharp> const&, Scene const&, Flows&, double);
 template void guard(CoupledScene<double, ibm::Sharp> const&, lbm::Observation const&, long);
 template void add_flows(Flows&, CoupledScene<double, ibm::Diffuse> const&);
-template Measurement measure(CoupledScene<double, ibm::Diffuse> const&, Flows const&, double);
+template Measurement measure(CoupledScene<double, ibm::Diffuse> const&, Scene const&, Flows&,
+                             double);
 template void guard(CoupledScene<double, ibm::Diffuse> const&, lbm::Observation const&, long);
 template std::string likely_cause(CoupledScene<float, ibm::Sharp> const&);
 template std::string likely_cause(CoupledScene<float, ibm::Diffuse> const&);

@@ -15,8 +15,12 @@ struct Measurement {
   double mass_inside = 0;    // of fluid there, density times volume
   double centre = 0;         // axial place of the membrane's middle
   double penetration = 0, seat_force = 0;
-  double speed_max = 0;      // of the fluid
-  double density_error = 0;  // largest |rho - rho0| / rho0
+  double gap = 0;   // the narrowest between membrane and seat; below 0 where they touch
+  double flow = 0;  // out of the outlet, with what orifices bring there, m3/s: mean since
+                    // the last measurement
+  std::vector<double> network;  // what network_columns() names
+  double speed_max = 0;         // of the fluid
+  double density_error = 0;     // largest |rho - rho0| / rho0
   // since the start of the run, volume at rest density
   double outflow = 0, inflow = 0;
   double through_seat = 0, through_membrane = 0;
@@ -25,13 +29,15 @@ struct Measurement {
 
 /// Sums that a run keeps from step to step, lattice units.
 struct Flows {
-  double out = 0, in = 0;
+  double out = 0, in = 0;        // through the lattice's own openings
+  double recent = 0, steps = 0;  // out of the outlet since the last measurement
 };
 template <class Real, template <class> class Body>
 void add_flows(Flows& flows, CoupledScene<Real, Body> const& s);
 
 template <class Real, template <class> class Body>
-Measurement measure(CoupledScene<Real, Body> const& s, Flows const& flows, double time);
+Measurement measure(CoupledScene<Real, Body> const& s, Scene const& scene, Flows& flows,
+                    double time);
 
 /// What most often makes a scene with these settings diverge, and what to do.
 template <class Real, template <class> class Body>

@@ -25,9 +25,9 @@ core::Symmetry symmetry_of(Fidelity fidelity, SceneTable& root)
 
 Scene compose(SceneTable root)
 {
-  root.allow({"name", "fidelity", "lattice", "fluid", "les", "solid", "inlet", "outlet", "boundary",
-              "material", "membrane", "contact", "coupling", "run", "initial", "probe", "reference",
-              "chart"});
+  root.allow({"name",    "fidelity", "lattice",  "fluid",    "les",     "solid",     "inlet",
+              "outlet",  "boundary", "material", "membrane", "contact", "gap",       "chamber",
+              "orifice", "coupling", "run",      "initial",  "probe",   "reference", "chart"});
   std::string name = root.text("name");
   if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.'))
     root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
@@ -65,6 +65,13 @@ Scene compose(SceneTable root)
   if (root.has("membrane"))
     scene.membrane = read_membrane(root.table("membrane"), symmetry_of_scene, scene.lattice.dx);
   if (root.has("contact")) scene.contact = read_contact(root.table("contact"));
+  if (root.has("gap")) scene.gap = read_gap(root.table("gap"));
+  if (root.has("chamber"))
+    for (auto const& [key, table] : root.table("chamber").tables())
+      scene.chambers.push_back(read_chamber(table, key));
+  if (root.has("orifice"))
+    for (auto const& [key, table] : root.table("orifice").tables())
+      scene.orifices.push_back(read_orifice(table, key));
   if (root.has("initial")) scene.initial = read_initial(root.table("initial"));
   if (root.has("probe"))
     for (auto const& [key, table] : root.table("probe").tables())
@@ -104,9 +111,10 @@ void reject(SceneFile const& source, std::string const& key, std::string const& 
 core::Symmetry symmetry(Scene const& scene)
 {
   if (scene.fidelity == Fidelity::space) return core::Symmetry::none;
-  bool const planar = scene.fidelity == Fidelity::planar ||
-                      (scene.fidelity == Fidelity::hydrostatic && scene.membrane &&
-                       scene.membrane->shape == MembraneShape::strip);
+  bool const planar =
+      scene.fidelity == Fidelity::planar ||
+      ((scene.fidelity == Fidelity::hydrostatic || scene.fidelity == Fidelity::lumped) &&
+       scene.membrane && scene.membrane->shape == MembraneShape::strip);
   return planar ? core::Symmetry::planar : core::Symmetry::axisymmetric;
 }
 
@@ -124,6 +132,13 @@ Probe const* find_probe(Scene const& scene, std::string const& name)
   auto const found = std::find_if(scene.probes.begin(), scene.probes.end(),
                                   [&](Probe const& p) { return p.name == name; });
   return found == scene.probes.end() ? nullptr : &*found;
+}
+
+ChamberSection const* find_chamber(Scene const& scene, ChamberSide side)
+{
+  auto const found = std::find_if(scene.chambers.begin(), scene.chambers.end(),
+                                  [&](ChamberSection const& c) { return c.side == side; });
+  return found == scene.chambers.end() ? nullptr : &*found;
 }
 
 Solid const* find_solid(Scene const& scene, std::string const& name)

@@ -2,6 +2,7 @@
 #include "cases/app/curve.hpp"
 #include "cases/app/material_card.hpp"
 #include "cases/app/scene_flow.hpp"
+#include "cases/app/scene_network.hpp"
 #include "core/signed_distance.hpp"
 #include "core/symmetry.hpp"
 #include "core/vec.hpp"
@@ -21,7 +22,7 @@ using core::Vec2;
 using core::Vec3;
 using lbm::Collision;
 
-enum class Fidelity { hydrostatic, axisymmetric, planar, space, structure };
+enum class Fidelity { hydrostatic, lumped, axisymmetric, planar, space, structure };
 enum class Stencil { d2q9, d3q19, d3q27 };
 constexpr int directions(Stencil s)
 {
@@ -31,7 +32,7 @@ enum class Precision { double_, single_, half };
 enum class LesModel { auto_, off, smagorinsky, vreman };
 enum class SolidShape { box, disc, profile, sphere, cylinder, stl };
 enum class Operation { add, subtract };
-enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, moving_wall };
+enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, port, moving_wall };
 enum class Axis { x, y, z };
 enum class MembraneShape { disc, strip };
 using structure::Rim;
@@ -195,6 +196,9 @@ struct Scene {
   std::map<std::string, Material> materials{};
   std::optional<MembraneSheet> membrane{};
   std::optional<ContactPair> contact{};
+  GapSection gap{};
+  std::vector<ChamberSection> chambers{};
+  std::vector<OrificeSection> orifices{};
   Coupling coupling{};
   Schedule run;
   InitialState initial{};
@@ -227,6 +231,9 @@ Boundary const* find_boundary(Scene const& scene, std::string const& name);
 
 /// The probe of that name, or nullptr.
 Probe const* find_probe(Scene const& scene, std::string const& name);
+
+/// The chamber on a side of the membrane, or nullptr.
+ChamberSection const* find_chamber(Scene const& scene, ChamberSide side);
 
 /// The solid of that name, or nullptr.
 Solid const* find_solid(Scene const& scene, std::string const& name);

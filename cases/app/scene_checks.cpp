@@ -219,6 +219,7 @@ void check_scene(Scene const& scene)
   if (scene.contact) check_contact(scene);
   if (scene.fidelity == Fidelity::hydrostatic && !scene.membrane)
     reject(scene, "fidelity", "= \"hydrostatic\" needs a membrane; the scene has none.");
+  check_network(scene);
   check_flow(scene);
   if (reference_velocity(scene) == 0 && !scene.lattice.time_step &&
       scene.fidelity != Fidelity::hydrostatic)

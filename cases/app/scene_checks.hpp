@@ -12,6 +12,9 @@ void check_scene(Scene const& scene);
 /// walls, initial flow, probes, reference, chart.
 void check_flow(Scene const& scene);
 
+/// The part about chambers, orifices, ports and what the lumped fidelity needs.
+void check_network(Scene const& scene);
+
 /// Throws core::InputError: the name under the key names nothing of that kind; says the nearest one
 /// or all that are known.
 [[noreturn]] void reject_name(Scene const& scene, std::string const& key, std::string const& name,

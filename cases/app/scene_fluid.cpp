@@ -144,8 +144,11 @@ Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmet
   bool const has_pressure = kind == BoundaryKind::traction || kind == BoundaryKind::pressure ||
                             kind == BoundaryKind::outflow;
   bool const has_velocity = kind == BoundaryKind::velocity || kind == BoundaryKind::moving_wall;
+  bool const is_port =
+      kind == BoundaryKind::port;  // its flow is that of the orifices which end there
   std::string const key = has_pressure ? "pressure" : has_velocity ? "velocity" : word(kind);
-  std::vector<std::string> keys{"kind", key, "patches"};
+  std::vector<std::string> keys{"kind", "patches"};
+  if (!is_port) keys.push_back(key);
   bool const has_profile = kind == BoundaryKind::traction || kind == BoundaryKind::velocity ||
                            kind == BoundaryKind::flow_rate;
   if (has_profile) keys.push_back("profile");
@@ -161,7 +164,7 @@ Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmet
     boundary.value = table.curve(key, Dimension::time, Dimension::pressure, Sign::any, fallback);
   } else if (has_velocity) {
     boundary.value = table.curve(key, Dimension::time, Dimension::velocity);
-  } else {
+  } else if (!is_port) {
     boundary.value = table.curve(
         key, Dimension::time,
         symmetry == core::Symmetry::planar ? Dimension::flow_rate_per_depth : Dimension::flow_rate);

@@ -15,6 +15,9 @@ Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmet
 Material read_material(SceneTable table);
 MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx);
 ContactPair read_contact(SceneTable table);
+GapSection read_gap(SceneTable table);
+ChamberSection read_chamber(SceneTable table, std::string name);
+OrificeSection read_orifice(SceneTable table, std::string name);
 Coupling read_coupling(SceneTable table);
 Schedule read_schedule(SceneTable table);
 InitialState read_initial(SceneTable table);

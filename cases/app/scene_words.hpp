@@ -17,6 +17,7 @@ using Words = std::vector<std::pair<std::string, Choice>>;
 inline Words<Fidelity> words(Fidelity)
 {
   return {{"hydrostatic", Fidelity::hydrostatic},
+          {"lumped", Fidelity::lumped},
           {"axisymmetric", Fidelity::axisymmetric},
           {"planar", Fidelity::planar},
           {"3d", Fidelity::space},
@@ -83,7 +84,12 @@ inline Words<BoundaryKind> words(BoundaryKind)
 {
   return {{"traction", BoundaryKind::traction}, {"pressure", BoundaryKind::pressure},
           {"velocity", BoundaryKind::velocity}, {"flow_rate", BoundaryKind::flow_rate},
-          {"outflow", BoundaryKind::outflow},   {"moving_wall", BoundaryKind::moving_wall}};
+          {"outflow", BoundaryKind::outflow},   {"port", BoundaryKind::port},
+          {"moving_wall", BoundaryKind::moving_wall}};
+}
+inline Words<ChamberSide> words(ChamberSide)
+{
+  return {{"none", ChamberSide::none}, {"above", ChamberSide::above}};
 }
 inline Words<Axis> words(Axis) { return {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}}; }
 inline Words<VelocityProfile> words(VelocityProfile)

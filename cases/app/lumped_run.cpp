@@ -1,0 +1,129 @@
+#include "cases/app/lumped_run.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "cases/app/assumptions.hpp"
+#include "cases/app/lumped_scene.hpp"
+#include "cases/app/material_range.hpp"
+#include "cases/app/network_columns.hpp"
+#include "cases/app/progress.hpp"
+#include "cases/app/stop.hpp"
+#include "core/check.hpp"
+#include "core/output/series.hpp"
+
+namespace velum::cases {
+namespace {
+
+constexpr long look_every = 200;  // steps
+
+std::vector<core::Column> columns(Scene const& scene)
+{
+  std::vector<core::Column> c = {{"pressure_above", "Pa"},
+                                 {"pressure_outside", "Pa"},
+                                 {"pressure_inside", "Pa"},
+                                 {"centre", "m"},
+                                 {"penetration", "m"},
+                                 {"seat_force", "N"},
+                                 {"gap", "m"},
+                                 {"flow", "m3/s"}};
+  auto const more = network_columns(scene);
+  c.insert(c.end(), more.begin(), more.end());
+  return c;
+}
+
+std::vector<double> row(LumpedScene const& s, Scene const& scene, double time)
+{
+  auto const& units = s.derived.units;
+  auto const& state = s.state;
+  auto const pressure = [&](int k) {
+    return core::to_si_pressure(units, ibm::pressure(state.network, k));
+  };
+  auto const patch = contact::contact_patch(state.seat->contact, state.seat->markers);
+  std::vector<double> r = {
+      pressure(state.above),
+      pressure(state.outside),
+      pressure(state.inside),
+      core::to_si_length(units, state.membrane.position[0]),
+      core::to_si_length(units, patch.penetration),
+      core::to_si_force(units, symmetry(scene), patch.force),
+      core::to_si_length(units, state.gap.least),
+      core::to_si_flow_rate(units, symmetry(scene), outflow(s)),
+  };
+  auto const more = network_row(state.network, s.key, scene, s.derived, time);
+  r.insert(r.end(), more.begin(), more.end());
+  return r;
+}
+
+}  // namespace
+
+void run_lumped(Scene const& scene, RunOptions const& options)
+{
+  auto const clock_start = std::chrono::steady_clock::now();
+  Derived const d = derive(scene);
+  HydrostaticScene start = make_membrane_scene(scene, d);
+  find_equilibrium(start, scene, d);
+  auto assumed = assumptions(scene, d, 0);
+  for (auto const& [name, sentence] : assumed) spdlog::info("{}: {}", name, sentence);
+  auto s = make_lumped_scene(scene, d, start);
+  auto series = core::start_series(options.out / "series.csv", columns(scene));
+  double const dt = d.units.dt;
+  long const total = std::lround(scene.run.end / dt), settle = std::lround(scene.run.settle / dt);
+  long const sample = std::max<long>(1, std::lround(scene.run.sample_every / dt));
+  auto const elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - clock_start).count();
+  };
+  auto const& material = scene.materials.at(scene.membrane->material);
+  StretchRecord stretch;
+  note_stretch(stretch, s.state.membrane, material);
+  ProgressLine progress(options.quiet);
+  core::append(series, 0, row(s, scene, 0));
+  bool stopped = false;
+  double time = 0;
+  for (long n = 1; n <= total && !stopped; ++n) {
+    time = double(n) * dt;
+    set_time(s, scene, time, n > settle);
+    try {
+      ibm::step(s.state, 1);
+    } catch (core::Divergence const& failure) {
+      throw core::Divergence(fmt::format("Diverged at step {} (t = {:.4g} s), body membrane: {}.",
+                                         n, time, failure.what()));
+    }
+    if (n % look_every == 0) {
+      progress.show({.time = time,
+                     .end = double(total) * dt,
+                     .mlups = 0,
+                     .mach = 0,
+                     .coupling = fmt::format(
+                         "gap {:.1f} um", 1e6 * core::to_si_length(d.units, s.state.gap.least))});
+      stopped = stop_requested();
+    }
+    if (n % sample == 0 || n == total || stopped) {
+      core::append(series, time, row(s, scene, time));
+      note_stretch(stretch, s.state.membrane, material);
+    }
+  }
+  progress.finish();
+  add_range(assumed, stretch, material);
+  auto const names = columns(scene);
+  auto const last = row(s, scene, time);
+  core::Summary summary{{}, assumed};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    summary.figures.push_back({names[k].name, last[k], names[k].unit});
+  summary.figures.push_back({"stretch_max", stretch.largest, "1"});
+  summary.figures.push_back({"wall_time", elapsed(), "s"});
+  core::write_summary(options.out / "summary.json", summary);
+  if (stopped)
+    throw Stopped(
+        fmt::format("Stopped by a signal at t = {:.4g} s; the results until then are in "
+                    "{}.",
+                    time, options.out.string()));
+  spdlog::info("{:.4g} ms in {:.1f} s: pressure above {:.4g} kPa, flow {:.4g} l/h, gap {:.4g} um",
+               1e3 * time, elapsed(), last[0] / 1e3, 3.6e6 * last[7], 1e6 * last[6]);
+  spdlog::info("results: {}", options.out.string());
+}
+
+}  // namespace velum::cases

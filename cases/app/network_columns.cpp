@@ -1,0 +1,29 @@
+#include "cases/app/network_columns.hpp"
+
+namespace velum::cases {
+
+std::vector<core::Column> network_columns(Scene const& scene)
+{
+  std::vector<core::Column> columns;
+  for (auto const& c : scene.chambers) columns.push_back({"pressure_" + c.name, "Pa"});
+  for (auto const& o : scene.orifices) {
+    columns.push_back({"flow_" + o.name, "m3/s"});
+    if (o.seat) columns.push_back({"lift_" + o.name, "m"});
+  }
+  return columns;
+}
+
+std::vector<double> network_row(ibm::Network const& network, NetworkKey const& key,
+                                Scene const& scene, Derived const& d, double time)
+{
+  std::vector<double> row;
+  for (std::size_t k = 0; k < scene.chambers.size(); ++k)
+    row.push_back(core::to_si_pressure(d.units, network.chambers[k].pressure));
+  for (std::size_t k = 0; k < scene.orifices.size(); ++k) {
+    row.push_back(core::to_si_flow_rate(d.units, symmetry(scene), network.passages[k].flow));
+    if (scene.orifices[k].seat) row.push_back(lift_at(scene.orifices[k], key.lift[k], time));
+  }
+  return row;
+}
+
+}  // namespace velum::cases

@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "ibm/network.hpp"
+#include "lbm/opening.hpp"
+#include "structure/membrane.hpp"
+
+namespace velum::ibm {
+
+/// Openings of the lattice, all of one port of the network, and which port that is.
+struct LatticePort {
+  std::vector<std::size_t> openings;
+  int port;
+};
+
+/// Lumped chambers and orifices around a lattice: a chamber may lie on the plus side of the
+/// membrane, where then no lattice fluid is, and passages may end in openings of the lattice.
+struct Chambers {
+  Network network;
+  int above = -1;  // chamber on the plus side, or -1
+  std::vector<LatticePort> ports;
+  std::vector<double> volume;     // of each chamber beyond that of the start: what was swept
+  std::vector<LinearFlow> flows;  // of the step under way
+  structure::Enclosures enclosed;
+};
+
+/// Before the membrane's step: the ports take the pressure that the openings measured, and what the
+/// membrane will feel of the chambers is made ready. A port's impedance is that of a plane wave
+/// into the lattice, rho c / area.
+void begin_step(Chambers& c, std::vector<lbm::Opening> const& openings,
+                structure::Membrane const& membrane);
+
+/// After it: flows, contents and pressures of the chambers; the openings of the ports are given the
+/// flows for the fluid's next step, so that what leaves the network enters the lattice to the last
+/// digit, one step later.
+/// @param velocity  mean of the step [2N]
+void end_step(Chambers& c, std::vector<lbm::Opening> const& openings, std::vector<double>& targets,
+              Eigen::VectorXd const& velocity);
+
+}  // namespace velum::ibm

@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "contact/lip_pressure.hpp"
+#include "ibm/network.hpp"
+#include "ibm/seat_gap.hpp"
+#include "structure/explicit_step.hpp"
+
+namespace velum::ibm {
+
+/// A membrane on its seat between lumped volumes of liquid, no lattice: above the plus face one
+/// chamber, below the minus face one beyond the seat and one within, joined by the gap. Consistent
+/// units, those of the lattice in a scene.
+struct Lumped {
+  structure::Membrane membrane;
+  structure::ExplicitStepper stepper;
+  std::vector<structure::Load> loads;  // bending, spring, contact
+  std::shared_ptr<SeatContact> seat;
+  contact::LipPressure lip = contact::LipPressure::linear;
+  GapLaw law;
+  Network network;
+  int above, outside, inside;  // chambers
+  int gap_passage;             // from outside to inside
+  int substeps = 1;
+
+  SeatGap gap;                 // of the last step
+  std::vector<double> volume;  // of each chamber beyond that of the start: what the membrane swept
+};
+
+/// Gap, its loss and the volumes of the present state.
+void locate(Lumped& s);
+
+/// One step of length h: membrane, contact, chamber pressures and flows, found together within each
+/// sub-step (structure/enclosure.hpp); the gap's shape lags by one step.
+void step(Lumped& s, double h);
+
+}  // namespace velum::ibm

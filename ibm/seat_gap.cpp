@@ -1,0 +1,65 @@
+#include "ibm/seat_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::ibm {
+
+SeatGap seat_gap(GapLaw const& law, SeatContact const& seat, core::Symmetry symmetry)
+{
+  auto const& m = seat.markers;
+  std::size_t const n = m.X.size();
+  SeatGap gap;
+  gap.friction.assign(n, 0);
+  gap.narrowness.assign(n, 0);
+
+  std::vector<double> g(n);
+  double section = 0;  // the least one, 2 pi r g
+  for (std::size_t a = 0; a < n; ++a) {
+    double const true_gap = contact::gap(seat.contact, m, a);
+    if (a == 0 || true_gap < gap.least) {
+      gap.least = true_gap;
+      gap.narrowest = static_cast<int>(a);
+    }
+    g[a] = std::max(true_gap, law.seals_at);
+  }
+  auto const across = [&](std::size_t a) { return core::ring(symmetry, m.X[a][1]) * g[a]; };
+  section = across(static_cast<std::size_t>(gap.narrowest));
+
+  double viscous = 0;
+  for (std::size_t a = 0; a < n; ++a) {
+    if (a > 0) {
+      double const length = std::hypot(m.X[a][0] - m.X[a - 1][0], m.X[a][1] - m.X[a - 1][1]);
+      double const ring = core::ring(symmetry, (m.X[a][1] + m.X[a - 1][1]) / 2);
+      // int ds / g^3 of a gap linear along the element
+      viscous += 6 * law.liquid.density * law.liquid.viscosity * length / ring * (g[a - 1] + g[a]) /
+                 (g[a - 1] * g[a - 1] * g[a] * g[a]);
+    }
+    gap.friction[a] = viscous;
+    double const share = across(a) > 0 ? section / across(a) : 1;
+    gap.narrowness[a] = std::min(share * share, 1.0);
+  }
+  for (double& f : gap.friction) f /= viscous;
+  if (gap.least > law.seals_at)
+    gap.loss =
+        Loss{viscous, law.liquid.density / (2 * law.discharge * law.discharge * section * section)};
+  return gap;
+}
+
+std::vector<double> outside_share(SeatGap const& gap, double Q)
+{
+  std::vector<double> share = gap.friction;
+  if (!gap.loss) return share;
+  double const head = gap.loss->inertial * std::abs(Q);
+  double const friction = gap.loss->viscous / (gap.loss->viscous + head);
+  bool const inwards = Q >= 0;  // from outside
+  for (std::size_t a = 0; a < share.size(); ++a) {
+    bool const beyond = static_cast<int>(a) > gap.narrowest;
+    // upstream of the narrowest place what is not yet lost, downstream none of it
+    double const left = beyond == inwards ? 1 - gap.narrowness[a] : 0;
+    share[a] = friction * share[a] + (1 - friction) * (inwards ? left : 1 - left);
+  }
+  return share;
+}
+
+}  // namespace velum::ibm
