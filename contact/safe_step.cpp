@@ -15,6 +15,17 @@ double largest_safe_step(PointContact const& c, std::vector<core::Vec3> const& X
   return step;
 }
 
+double largest_safe_step(Contact const& c, core::Markers const& m, double share)
+{
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < m.X.size(); ++i)
+    if (double const speed = norm(m.V[i]); speed > 0) {
+      double const way = std::max(m.offset[i], core::distance(c.obstacle, m.X[i]));
+      step = std::min(step, share * way / speed);
+    }
+  return step;
+}
+
 double largest_safe_step(SurfaceContact const& c, std::vector<core::Vec3> const& V, double share)
 {
   core::Vec3 mean;

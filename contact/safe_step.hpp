@@ -1,4 +1,5 @@
 #pragma once
+#include "contact/contact.hpp"
 #include "contact/point_contact.hpp"
 #include "contact/surface_contact.hpp"
 
@@ -13,6 +14,9 @@ constexpr double safe_share = 0.25;
 /// @param V  velocities of the points
 double largest_safe_step(PointContact const& c, std::vector<core::Vec3> const& X,
                          std::vector<core::Vec3> const& V, double share = safe_share);
+
+/// The same of markers, by their places and velocities, and an obstacle.
+double largest_safe_step(Contact const& c, core::Markers const& markers, double share = safe_share);
 
 /// Longest step in which no two places of the surfaces come nearer than a share of the least
 /// thickness; their common motion does not count. Infinite at rest.

@@ -26,6 +26,10 @@ struct ImplicitReport {
   double residual = 0;  ///< largest of the accepted steps, relative to the nodal forces
 };
 
+/// Where in a step the scheme takes its forces, as a share of it: 1 - alpha_f = 1 / (1 + rho_inf).
+/// A load that varies in time keeps second order when it is set to what it is there.
+inline double time_of_loads(ImplicitStepper const& s) { return 1 / (1 + s.rho_inf); }
+
 /// @param m  the body, a Membrane or a Sheet
 template <class Body>
 ImplicitStepper implicit_stepper(Body const& m, Rayleigh const& damping, double rho_inf = 0.5);

@@ -54,11 +54,10 @@ Curvatures curvatures(BendingNode const& b, Eigen::VectorXd const& x, bool secon
   return k;
 }
 
-/// Derivatives of the energy A/2 D (e1^2 + e1 e2 + e2^2) by e1 and e2.
+/// Derivatives of the energy by e1 and e2.
 Eigen::Vector2d moments(BendingNode const& b, Curvatures const& k)
 {
-  double const e1 = k.k1.value - b.k1, e2 = k.k2.value - b.k2;
-  return b.area * b.stiffness * Eigen::Vector2d(e1 + e2 / 2, e2 + e1 / 2);
+  return b.area * b.stiffness * b.law * Eigen::Vector2d(k.k1.value - b.k1, k.k2.value - b.k2);
 }
 
 /// The slope of the element between the node and the other one, as a map; on the axis the node
@@ -78,8 +77,9 @@ Map slope(BendingNode const& b, bool behind, double length)
 }
 
 /// Tangent and turn from the slopes of both sides. A clamped end holds the undeformed slope in the
-/// place of the side that is missing, and the normal with it.
-void find_slopes(BendingNode& b, Membrane const& m, double before, double behind)
+/// place of the side that is missing, and the normal with it; one that is free to turn has the
+/// slope of its element, and its turn is none of the energy's.
+void find_slopes(BendingNode& b, Membrane const& m, double before, double behind, bool clamped)
 {
   double const L = (before + behind) / 2;
   Map const minus = b.before ? slope(b, false, before) : Map(Map::Zero());
@@ -88,6 +88,11 @@ void find_slopes(BendingNode& b, Membrane const& m, double before, double behind
   b.tangent_held = b.turn_held = Eigen::Vector2d::Zero();
   if (b.before && b.behind) {
     b.tangent = (plus + minus) / 2;
+    return;
+  }
+  if (!clamped) {
+    b.tangent = plus + minus;
+    b.turn = Map::Zero();
     return;
   }
   b.tangent = Map::Zero();
@@ -108,15 +113,18 @@ LineBending line_bending(Membrane const& m, Rim rim)
     b.before = a > 0 || b.on_axis;
     b.behind = a + 1 < nodes;
     bool const end = !b.before || !b.behind;
-    if (end && (rim == Rim::hinged || !m.fixed[2 * a] || !m.fixed[2 * a + 1])) continue;
+    bool const clamped = rim == Rim::clamped && m.fixed[2 * a] && m.fixed[2 * a + 1];
+    bool const ring = m.symmetry == core::Symmetry::axisymmetric;
+    if (end && !clamped && !ring) continue;
     auto const here = node(m.reference, a);
     auto const length = [&](int other) { return norm(node(m.reference, other) - here); };
     double const behind = b.behind ? length(a + 1) : 0;
     double const before = b.on_axis ? behind : b.before ? length(a - 1) : 0;
     double const L = (before + behind) / 2;
-    find_slopes(b, m, before, behind);
-    bool const ring = m.symmetry == core::Symmetry::axisymmetric;
-    b.Y = ring && !end ? here[1] : 0;
+    find_slopes(b, m, before, behind, clamped);
+    b.Y = ring && !(end && clamped) ? here[1] : 0;
+    b.law << 1, 0.5, 0.5, 1;
+    if (end && !clamped) b.law << 0, 0, 0, 0.75;
     b.area = b.on_axis ? std::numbers::pi * L * L / 4 : core::ring(m.symmetry, here[1]) * L;
     double const H =
         (m.thickness[std::max(a - 1, 0)] + m.thickness[std::min(a, element_count(m) - 1)]) / 2;
@@ -152,8 +160,8 @@ Load bending_load(LineBending const& bending)
       if (!tangent) continue;
       auto const &g1 = k.k1.gradient, &g2 = k.k2.gradient;
       Matrix6 const K = b.area * b.stiffness *
-                            (g1 * g1.transpose() + g2 * g2.transpose() +
-                             (g1 * g2.transpose() + g2 * g1.transpose()) / 2) +
+                            (b.law(0, 0) * g1 * g1.transpose() + b.law(1, 1) * g2 * g2.transpose() +
+                             b.law(0, 1) * (g1 * g2.transpose() + g2 * g1.transpose())) +
                         m[0] * k.k1.hessian + m[1] * k.k2.hessian;
       for (int i = from; i < to; ++i)
         for (int j = from; j < to; ++j) tangent->emplace_back(first + i, first + j, -K(i, j));

@@ -15,7 +15,9 @@ namespace velum::structure {
 /// the mirror image continues the chain, and k2 = k1. Energy
 ///   A/2 D (k1^2 + k1 k2 + k2^2) of the differences from the undeformed state,   D = mu H^3/3,
 /// that of a plate of an incompressible solid, E = 3 mu and nu = 1/2 (Timoshenko & Woinowsky-
-/// Krieger, Theory of Plates and Shells (1959), section 15); planar k2 = 0, plane strain.
+/// Krieger, Theory of Plates and Shells (1959), section 15); planar k2 = 0, plane strain. An end
+/// that is free to turn carries no moment along the meridian: k1 = -k2/2 there, which leaves
+/// A/2 D 3/4 k2^2 over the half element, k2 of the element's own tilt; planar nothing.
 struct BendingNode {
   using Map =
       Eigen::Matrix<double, 2, 6>;  ///< of the coordinates of the nodes before, here, behind
@@ -26,9 +28,10 @@ struct BendingNode {
   /// tangent = map times the coordinates + what a clamped end holds; the same for (x'+ - x'-) / L
   Map tangent, turn;
   Eigen::Vector2d tangent_held, turn_held;
-  double Y;                ///< 0 where there is no k2: planar, or an end
+  double Y;                ///< 0 where there is no k2: planar, or a clamped end
   double area, stiffness;  ///< A, D
   double k1, k2;           ///< of the undeformed state
+  Eigen::Matrix2d law;     ///< energy A/2 D e . law e of e = (k1, k2) less those
 };
 using LineBending = std::vector<BendingNode>;
 

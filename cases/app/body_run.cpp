@@ -103,6 +103,10 @@ core::Summary summary_of(BodyScene const& scene, BodyResult const& result, BodyT
     figures.push_back({"contact_pressure_max", last.pressure_max, "Pa"});
     figures.push_back({"penetration", last.penetration, "m"});
   }
+  if (scene.contact && scene.march) {
+    figures.push_back({"seat_force_max", result.seat_force_max, "N"});
+    figures.push_back({"penetration_max", result.penetration_max, "m"});
+  }
   for (std::size_t k = 0; k < result.frequencies.size(); ++k)
     figures.push_back({fmt::format("frequency_{}", k + 1), result.frequencies[k], "Hz"});
   int iterations = 0;

@@ -20,7 +20,8 @@ struct BodyState {
 /// What a run of a body found.
 struct BodyResult {
   std::vector<BodyState> states;
-  std::vector<double> frequencies;  // Hz, of the undeformed body
+  std::vector<double> frequencies;                 // Hz, of the undeformed body
+  double seat_force_max = 0, penetration_max = 0;  // of all steps of a march
 };
 
 /// Goes through the states of the scene and writes series.csv, run.h5, run.xmf, profile.csv and

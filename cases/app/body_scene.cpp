@@ -205,9 +205,10 @@ void check(BodyScene const& scene)
     } catch (core::InputError const& error) {
       reject(scene.source, "solid." + solid.name, fmt::format("cannot be built: {}", error.what()));
     }
-  if (scene.march && scene.contact)
-    reject(scene.source, "march",
-           "is for bodies that touch nothing: velum marches no contact of a body alone yet.");
+  if (scene.march && scene.contact && scene.contact->method != ContactMethod::penalty)
+    reject(scene.source, "contact.method",
+           fmt::format("= \"{}\" is for states in equilibrium; a march takes \"{}\".",
+                       word(scene.contact->method), word(ContactMethod::penalty)));
   if (scene.march && scene.reference && scene.reference->limit_load)
     reject(scene.source, "reference.limit_load", "is for states in equilibrium, not for a march.");
   if (!scene.load.volumes.empty()) {

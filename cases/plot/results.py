@@ -41,23 +41,34 @@ def series(run: Path) -> dict[str, np.ndarray]:
     return {name.split(" [")[0]: column for name, column in zip(header, columns)}
 
 
+def dumps(run: Path) -> int:
+    """Number of states in run.h5."""
+    with h5py.File(run / "run.h5") as file:
+        return sum(name.startswith("dump_") for name in file)
+
+
 class Dump:
-    """Last state of a run. Points are (axial, radial).
+    """A state of a run, by its number or the last. Points are (axial, radial).
 
     axial, radial   edges of the cells, [nx + 1], [ny + 1]
     pressure        [ny][nx], masked where there is no fluid
+    side            [ny][nx], 0 no fluid, 1 above the membrane, 2 below it
+    velocity        [ny][nx][2]
     membrane, plus_face, minus_face   nodes of the mid-surface and of the wet faces, [n][2]
     """
 
-    def __init__(self, run: Path):
+    def __init__(self, run: Path, number: int = -1):
         with h5py.File(run / "run.h5") as file:
-            grid, dump = file.attrs, file[max(name for name in file if name.startswith("dump_"))]
+            names = sorted(name for name in file if name.startswith("dump_"))
+            grid, dump = file.attrs, file[names[number]]
             dx = grid["dx [m]"]
             self.time = float(dump.attrs["time"])
             self.axial = grid["origin axial [m]"] + dx * np.arange(grid["nx"] + 1)
             self.radial = grid["origin radial [m]"] + dx * np.arange(grid["ny"] + 1)
             fluid = dump["fluid"]
-            self.pressure = np.ma.masked_where(fluid["side"][:] == 0, fluid["pressure"][:])
+            self.side = fluid["side"][:]
+            self.pressure = np.ma.masked_where(self.side == 0, fluid["pressure"][:])
+            self.velocity = fluid["velocity"][:, :, :2]
             self.membrane, self.plus_face, self.minus_face = (
                 dump[curve]["nodes"][:, :2] for curve in ("membrane", "plus_face", "minus_face")
             )

@@ -43,10 +43,8 @@ double by_implicit(int steps)
   std::array const loads{pressure_load(m, pressure)};
   auto stepper = implicit_stepper(m, damping);
   double const dt = duration / steps;
-  // The force is taken at t + (1 - alpha_f) dt, where the scheme balances.
-  double const balance_at = 1 - stepper.rho_inf / (1 + stepper.rho_inf);
   for (int n = 0; n < steps; ++n) {
-    set_pressure(pressure, (n + balance_at) * dt);
+    set_pressure(pressure, (n + time_of_loads(stepper)) * dt);
     EXPECT_EQ(advance(stepper, m, dt, loads).cut_backs, 0);
   }
   return m.position[0];
