@@ -165,7 +165,10 @@ void check_membrane(Scene const& scene)
     reject_name(scene, "membrane.material", membrane.material, "material", names);
   }
   double const half = 0.5 * largest_magnitude(membrane.thickness);
-  if (membrane.position - half < lattice.from[0] || membrane.position + half > lattice.to[0])
+  // under a chamber the lattice only has to reach what its fluid touches
+  bool const dry = find_chamber(scene, ChamberSide::above) != nullptr;
+  double const top = dry ? membrane.position : membrane.position + half;
+  if (membrane.position - half < lattice.from[0] || top > lattice.to[0])
     reject(
         scene, "membrane.position",
         fmt::format("= {} puts the membrane, {} thick, outside the domain, which goes from {} to "
