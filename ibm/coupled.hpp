@@ -1,11 +1,13 @@
 #pragma once
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "ibm/contact_load.hpp"
 #include "ibm/face_pressure.hpp"
 #include "lbm/opening.hpp"
 #include "structure/explicit_step.hpp"
+#include "structure/implicit_step.hpp"
 
 namespace velum::ibm {
 
@@ -23,14 +25,14 @@ struct Coupled {
   std::vector<double> targets;  // of the openings, as opening.hpp says
   Body<Real> body;
   structure::Membrane membrane;
-  structure::ExplicitStepper stepper;
+  std::variant<structure::ExplicitStepper, structure::ImplicitStepper> stepper;
   std::vector<structure::Load> loads;  // spring and contact
   std::shared_ptr<SeatContact> seat;   // empty without contact
   core::Obstacle walls;                // all rigid solids
   FacePressure pressure;
   Scheme scheme = Scheme::implicit;
-  bool one_way = false;  // the membrane drives the fluid and does not feel it
-  int substeps = 1;
+  bool one_way = false;         // the membrane drives the fluid and does not feel it
+  int substeps = 1;             // of the explicit stepper
   double membrane_seconds = 0;  // wall time that the membrane's own steps took so far
   Ledger ledger;
 };

@@ -1,12 +1,12 @@
 #include "cases/app/body_march.hpp"
 
 #include "cases/app/body_words.hpp"
+#include "cases/app/chosen_scheme.hpp"
 #include "core/check.hpp"
 #include "structure/explicit_step.hpp"
 #include "structure/implicit_step.hpp"
 #include "structure/mass.hpp"
 #include "structure/sheet_force.hpp"
-#include "structure/stable_step.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -25,17 +25,8 @@ structure::SchemeChoice choose(BodyScene const& scene, BodyModel<Body> const& mo
   auto const& march = *scene.march;
   double const stable = structure::stable_step(model.body, structure::lumped_mass(model.body),
                                                model.body.reference, model.loads);
-  auto choice = structure::choose_scheme(march.step, stable,
-                                         structure::typical_cost_ratio(model.body, damping));
-  if (march.scheme && *march.scheme != choice.scheme) {
-    choice.scheme = *march.scheme;
-    choice.substeps = choice.scheme == structure::TimeScheme::implicit
-                          ? 1
-                          : structure::substeps_for(march.step, stable);
-    choice.sentence = fmt::format("{}, as the scene says ({} sub-steps); of itself: {}",
-                                  word(choice.scheme), choice.substeps, choice.sentence);
-  }
-  return choice;
+  return chosen_scheme(march.scheme, march.step, stable,
+                       structure::typical_cost_ratio(model.body, damping));
 }
 
 /// What takes the body a step further; returns the linear solves that it took.
@@ -45,14 +36,14 @@ std::function<int()> stepper(BodyScene const& scene, BodyModel<Body>& model,
                              structure::Rayleigh const& damping)
 {
   double const dt = scene.march->step;
+  std::vector<structure::Load> elastic;
+  if (!model.bending.empty()) elastic.push_back(structure::bending_load(model.bending));
   if (choice.scheme == structure::TimeScheme::implicit) {
     auto const s = std::make_shared<structure::ImplicitStepper>(
-        structure::implicit_stepper(model.body, damping));
+        structure::implicit_stepper(model.body, damping, model.body.reference, elastic));
     return
         [&model, s, dt] { return structure::advance(*s, model.body, dt, model.loads).iterations; };
   }
-  std::vector<structure::Load> elastic;
-  if (!model.bending.empty()) elastic.push_back(structure::bending_load(model.bending));
   auto const s = std::make_shared<structure::ExplicitStepper>(
       structure::explicit_stepper(model.body, damping, model.body.reference, elastic));
   Eigen::VectorXd const none = Eigen::VectorXd::Zero(model.body.position.size());

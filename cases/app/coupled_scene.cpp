@@ -78,11 +78,14 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   state.scheme = scene.coupling.scheme == CouplingScheme::implicit ? ibm::Scheme::implicit
                                                                    : ibm::Scheme::explicit_;
   auto const& material = scene.materials.at(scene.membrane->material);
-  state.stepper = structure::explicit_stepper(
-      state.membrane,
-      {core::to_lattice_frequency(s.derived.units, material.damping_mass),
-       core::to_lattice_time(s.derived.units, material.damping_stiffness)},
-      state.membrane.position, hydrostatic.bending);
+  structure::Rayleigh const damping{
+      core::to_lattice_frequency(s.derived.units, material.damping_mass),
+      core::to_lattice_time(s.derived.units, material.damping_stiffness)};
+  auto const& x = state.membrane.position;
+  if (s.derived.membrane_scheme.scheme == structure::TimeScheme::implicit)
+    state.stepper = structure::implicit_stepper(state.membrane, damping, x, hydrostatic.bending);
+  else
+    state.stepper = structure::explicit_stepper(state.membrane, damping, x, hydrostatic.bending);
   state.one_way = scene.coupling.feedback == Feedback::one_way;
   s.driven = hydrostatic.driven;
   for (PatchOpening const& o : lattice.openings) {
