@@ -2,6 +2,8 @@
 
 #include "contact/penalty.hpp"
 
+#include <limits>
+
 namespace velum::contact {
 namespace {
 
@@ -14,6 +16,15 @@ double curvature(core::Obstacle const& obstacle, core::Vec2 const& X, core::Vec2
   return dot(s, ahead - behind) / (2 * probe);
 }
 
+/// Returns the marker's distance from the obstacle.
+double add_force(Contact const& c, core::Markers& markers, std::size_t i)
+{
+  auto const nearest = core::nearest_surface(c.obstacle, markers.X[i]);
+  double const t = traction(c.stiffness, nearest.distance - markers.offset[i], multiplier_of(c, i));
+  if (t > 0) markers.F[i] += markers.area[i] * t * nearest.normal;
+  return nearest.distance;
+}
+
 }  // namespace
 
 double gap(Contact const& c, core::Markers const& markers, std::size_t i)
@@ -23,11 +34,21 @@ double gap(Contact const& c, core::Markers const& markers, std::size_t i)
 
 void add_forces(Contact const& c, core::Markers& markers)
 {
-  for (std::size_t i = 0; i < markers.X.size(); ++i) {
-    auto const nearest = core::nearest_surface(c.obstacle, markers.X[i]);
-    double const t =
-        traction(c.stiffness, nearest.distance - markers.offset[i], multiplier_of(c, i));
-    if (t > 0) markers.F[i] += markers.area[i] * t * nearest.normal;
+  for (std::size_t i = 0; i < markers.X.size(); ++i) add_force(c, markers, i);
+}
+
+void add_forces(Contact const& c, core::Markers& markers, Clearance& seen)
+{
+  if (!c.multiplier.empty()) return add_forces(c, markers);
+  auto const& X = markers.X;
+  if (seen.X.size() != X.size()) {
+    seen.X.assign(X.size(), {});
+    seen.distance.assign(X.size(), -std::numeric_limits<double>::infinity());
+  }
+  for (std::size_t i = 0; i < X.size(); ++i) {
+    if (seen.distance[i] - norm(X[i] - seen.X[i]) > markers.offset[i]) continue;
+    seen.distance[i] = add_force(c, markers, i);
+    seen.X[i] = X[i];
   }
 }
 

@@ -32,6 +32,17 @@ double gap(Contact const& c, core::Markers const& markers, std::size_t i);
 /// Areas and offsets are those of the markers, taken as constant.
 void add_forces(Contact const& c, core::Markers& markers);
 
+/// Where each marker was when its distance from the obstacle was last found. A distance changes by
+/// no more than the way gone: until a marker may have come near, none has to be found.
+struct Clearance {
+  std::vector<core::Vec2> X;
+  std::vector<double> distance;
+};
+
+/// The same without looking at markers that are out of reach; plain penalty only, else all are
+/// looked at.
+void add_forces(Contact const& c, core::Markers& markers, Clearance& clearance);
+
 /// Derivative of each marker's force by its position, zero out of contact:
 ///   dF/dX = A (-k n n^T + t H),   H = kappa s s^T the curvature of the distance across n = s^perp.
 /// kappa comes from normals a probe length to either side; probe = 0 leaves that term out.

@@ -46,7 +46,7 @@ void press(SeatContact& seat, Eigen::VectorXd const& x)
     m.X[a] = structure::node(x, static_cast<int>(a));
     m.F[a] = {};
   }
-  contact::add_forces(seat.contact, m);
+  contact::add_forces(seat.contact, m, seat.clearance);
 }
 
 structure::Load contact_load(std::shared_ptr<SeatContact> const& seat)

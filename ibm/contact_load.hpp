@@ -15,6 +15,7 @@ namespace velum::ibm {
 struct SeatContact {
   contact::Contact contact;
   core::Markers markers;
+  contact::Clearance clearance{};  // spares the markers that are far from the seat
 };
 
 /// @param stiffness  pressure per length

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "ibm/chambers.hpp"
@@ -8,6 +9,7 @@
 #include "ibm/face_pressure.hpp"
 #include "lbm/opening.hpp"
 #include "structure/explicit_step.hpp"
+#include "structure/implicit_step.hpp"
 
 namespace velum::ibm {
 
@@ -25,15 +27,16 @@ struct Coupled {
   std::vector<double> targets;  // of the openings, as opening.hpp says
   Body<Real> body;
   structure::Membrane membrane;
-  structure::ExplicitStepper stepper;
+  std::variant<structure::ExplicitStepper, structure::ImplicitStepper> stepper;
   std::vector<structure::Load> loads;  // spring and contact
   std::shared_ptr<SeatContact> seat;   // empty without contact
-  std::optional<Chambers> chambers;    // lumped, where the scene has any
+  std::optional<Chambers> chambers;    // lumped, where the scene has any; only explicit sub-steps
+                                       // carry them
   core::Obstacle walls;                // all rigid solids
   FacePressure pressure;
   Scheme scheme = Scheme::implicit;
-  bool one_way = false;  // the membrane drives the fluid and does not feel it
-  int substeps = 1;
+  bool one_way = false;         // the membrane drives the fluid and does not feel it
+  int substeps = 1;             // of the explicit stepper
   double membrane_seconds = 0;  // wall time that the membrane's own steps took so far
   Ledger ledger;
 };

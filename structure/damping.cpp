@@ -1,7 +1,6 @@
 #include "structure/damping.hpp"
 
 #include "structure/line_element.hpp"
-#include "structure/load.hpp"
 #include "structure/triangle_element.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -44,5 +43,23 @@ Eigen::SparseMatrix<double> damping_stiffness(Sheet const& s, Eigen::VectorXd co
   K0.setFromTriplets(entries.begin(), entries.end());
   return K0;
 }
+
+template <class Body>
+Eigen::SparseMatrix<double> damping_stiffness(Body const& m, Eigen::VectorXd const& x,
+                                              std::span<Load const> elastic)
+{
+  Triplets entries;
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(m.reference.size());
+  for (auto const& load : elastic) load(m.reference, unused, &entries);
+  for (auto& t : entries) t = {t.row(), t.col(), -t.value()};
+  Eigen::SparseMatrix<double> K(unused.size(), unused.size());
+  K.setFromTriplets(entries.begin(), entries.end());
+  return damping_stiffness(m, x) + K;
+}
+
+template Eigen::SparseMatrix<double> damping_stiffness(Membrane const&, Eigen::VectorXd const&,
+                                                       std::span<Load const>);
+template Eigen::SparseMatrix<double> damping_stiffness(Sheet const&, Eigen::VectorXd const&,
+                                                       std::span<Load const>);
 
 }  // namespace velum::structure

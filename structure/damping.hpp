@@ -1,8 +1,11 @@
 #pragma once
+#include "structure/load.hpp"
 #include "structure/membrane.hpp"
 #include "structure/sheet.hpp"
 
 #include <Eigen/SparseCore>
+
+#include <span>
 
 namespace velum::structure {
 
@@ -18,5 +21,10 @@ struct Rayleigh {
 /// feeds energy. K0 of the law is that of the flat, unloaded state: pass m.reference.   [2N][2N]
 Eigen::SparseMatrix<double> damping_stiffness(Membrane const& m, Eigen::VectorXd const& x);
 Eigen::SparseMatrix<double> damping_stiffness(Sheet const& s, Eigen::VectorXd const& x);
+
+/// The same with the stiffness at rest of the body's own loads (bending).
+template <class Body>
+Eigen::SparseMatrix<double> damping_stiffness(Body const& m, Eigen::VectorXd const& x,
+                                              std::span<Load const> elastic);
 
 }  // namespace velum::structure

@@ -13,35 +13,14 @@
 namespace velum::structure {
 namespace {
 
-/// Zero matrix that has an entry for every pair of components of one node.
+/// Zero matrix that couples the components of each node alone.
 Eigen::SparseMatrix<double> uncoupled_nodes(int nodes, int d)
 {
   Triplets entries;
-  for (int a = 0; a < nodes; ++a)
-    for (int i = 0; i < d; ++i)
-      for (int j = 0; j < d; ++j) entries.emplace_back(d * a + i, d * a + j, 0);
+  add_node_blocks(entries, nodes, d);
   Eigen::SparseMatrix<double> matrix(d * nodes, d * nodes);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
-}
-
-template <class Body>
-Eigen::SparseMatrix<double> stiffness_at_rest(Body const& m, std::span<Load const> loads)
-{
-  Triplets entries;
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(m.reference.size());
-  for (auto const& load : loads) load(m.reference, unused, &entries);
-  for (auto& t : entries) t = {t.row(), t.col(), -t.value()};
-  Eigen::SparseMatrix<double> K(unused.size(), unused.size());
-  K.setFromTriplets(entries.begin(), entries.end());
-  return K;
-}
-
-int place_of(Eigen::SparseMatrix<double> const& matrix, int row, int column)
-{
-  int k = matrix.outerIndexPtr()[column];
-  while (matrix.innerIndexPtr()[k] != row) ++k;
-  return k;
 }
 
 /// A = M + h (alpha M + beta K0 + Z), all rows and columns.
@@ -137,13 +116,10 @@ ExplicitStepper explicit_stepper(Body const& m, Rayleigh const& damping,
   ExplicitStepper s;
   s.damping = damping;
   s.mass = lumped_mass(m);
-  s.K0 = damping.beta > 0 ? damping_stiffness(m, state) : uncoupled_nodes(nodes, d);
-  if (damping.beta > 0 && !elastic.empty()) s.K0 += stiffness_at_rest(m, elastic);
+  s.K0 = damping.beta > 0 ? damping_stiffness(m, state, elastic) : uncoupled_nodes(nodes, d);
   s.K0.makeCompressed();
   s.A = s.K0;
-  for (int a = 0; a < nodes; ++a)
-    for (int i = 0; i < d * d; ++i)
-      s.diagonal.push_back(place_of(s.A, d * a + i % d, d * a + i / d));
+  s.diagonal = node_block_places(s.A, d);
   s.solver = std::make_unique<ExplicitStepper::Solver>();
   if (d == 3 && damping.beta > 0) s.solver->emplace<1>();
   std::visit([&](auto& solver) { solver.analyzePattern(s.A); }, *s.solver);

@@ -3,6 +3,7 @@
 #include "structure/enclosure.hpp"
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
+#include "structure/node_blocks.hpp"
 #include "structure/sheet.hpp"
 
 #include <Eigen/OrderingMethods>
@@ -29,10 +30,6 @@ struct ExplicitStepper {
   std::unique_ptr<Solver> solver;  ///< pattern analysed once
   Eigen::VectorXd force, rhs, prescribed, mean;  ///< working memory
 };
-
-/// What each node's wall block is: 2 x 2 of a Membrane, 3 x 3 of a Sheet.
-template <class Body>
-using NodeBlock = Eigen::Matrix<double, Body::dimension, Body::dimension>;
 
 /// Stepper of a body (a Membrane or a Sheet) with the stiffness of its reference state in the
 /// damping; with beta = 0 the matrix couples no two nodes.

@@ -1,12 +1,16 @@
 #include "structure/implicit_step.hpp"
 
 #include "core/check.hpp"
+#include "structure/generalised_alpha.hpp"
 #include "structure/mass.hpp"
 #include "structure/restrained.hpp"
+#include "structure/side_jump.hpp"
 #include "structure/total_stiffness.hpp"
+#include "structure/wall_force.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/SparseLU>
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +21,8 @@ namespace {
 constexpr int max_newton = 12;
 constexpr double tolerance = 1e-9;
 constexpr double smallest_part = 1.0 / 4096;
-
-/// Chung and Hulbert (1993), Eqs. 17, 20 and 25.
-struct Weights {
-  double alpha_m, alpha_f, gamma, beta;
-};
-
-Weights weights(double rho_inf)
-{
-  double const am = (2 * rho_inf - 1) / (rho_inf + 1), af = rho_inf / (rho_inf + 1);
-  return {am, af, 0.5 - am + af, 0.25 * (1 - am + af) * (1 - am + af)};
-}
-
-struct State {
-  Eigen::VectorXd x, v, a;
-};
+constexpr double good_rate = 0.05;  // by which a correction shrinks the residual
+constexpr int few = 4;              // corrections, with a tangent that is worth keeping
 
 struct Outcome {
   bool converged = false;
@@ -40,9 +31,12 @@ struct Outcome {
   int worst_node = 0;
 };
 
+double largest(Eigen::VectorXd const& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0; }
+
 Eigen::VectorXd damping_force(ImplicitStepper const& s, Eigen::VectorXd const& v)
 {
-  Eigen::VectorXd force = s.damping.beta * (s.K0 * v);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(v.size());
+  if (s.damping.beta > 0) force = s.damping.beta * (s.K0 * v);
   for (int i = 0; i < v.size(); ++i) force[i] += s.damping.alpha * s.mass[i] * v[i];
   return force;
 }
@@ -53,57 +47,36 @@ Eigen::VectorXd times_mass(ImplicitStepper const& s, Eigen::VectorXd a)
   return a;
 }
 
+/// First acceleration, damped by Z as a step of length dt would: where Z stops the body within a
+/// step, the acceleration of the instant would ring for long.
 template <class Body>
-void start(ImplicitStepper& s, Body const& m, std::span<Load const> loads)
+void start(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall, double dt,
+           std::span<Load const> loads)
 {
+  constexpr int d = Body::dimension;
   Eigen::VectorXd force = -damping_force(s, m.velocity);
+  add(wall, m.velocity, force);
   for (auto const& load : loads) load(m.position, force, nullptr);
   add_elastic_force(m, m.position, force);
-  for (int i = 0; i < force.size(); ++i) force[i] = m.fixed[i] ? 0 : force[i] / s.mass[i];
+  for (int a = 0; a < node_count(m); ++a) {
+    NodeBlock<Body> mass = s.mass[d * a] * NodeBlock<Body>::Identity();
+    if (!wall.Z.empty()) mass += dt * wall.Z[static_cast<std::size_t>(a)];
+    force.segment<d>(d * a) = mass.inverse() * force.segment<d>(d * a);
+  }
+  drop_fixed(m.fixed, force);
   s.acceleration = force;
 }
 
-/// -d(residual)/dx' of the step equation.
+/// Factors of -d(residual)/dx' of the step equation; with a tangent at xf, or with that at hand.
 template <class Body>
-Eigen::SparseMatrix<double> jacobian(ImplicitStepper const& s, Body const& m,
-                                     Eigen::VectorXd const& xf, double dt, Weights const& w,
-                                     std::span<Load const> loads)
+bool factorise(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
+               Eigen::VectorXd const* xf, double dt, Weights const& w, std::span<Load const> loads)
 {
-  Triplets entries = total_stiffness(m, xf, loads);
-  for (auto& t : entries) t = {t.row(), t.col(), (1 - w.alpha_f) * t.value()};
-  double const c = (1 - w.alpha_f) * w.gamma / (w.beta * dt);
-  double const inertia = (1 - w.alpha_m) / (w.beta * dt * dt) + c * s.damping.alpha;
-  for (int i = 0; i < xf.size(); ++i) entries.emplace_back(i, i, inertia * s.mass[i]);
-  for (int k = 0; k < s.K0.outerSize(); ++k)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(s.K0, k); it; ++it)
-      entries.emplace_back(it.row(), it.col(), c * s.damping.beta * it.value());
-  return restrained(entries, m.fixed);
-}
-
-/// True where an element's side changed by more than its own length: the step has left the path of
-/// the motion, and Newton found another root of the same equation.
-template <int d>
-bool side_jumped(Eigen::VectorXd const& before, Eigen::VectorXd const& after, int a, int b)
-{
-  auto const side = [&](Eigen::VectorXd const& x) -> Eigen::Matrix<double, d, 1> {
-    return x.segment<d>(d * b) - x.segment<d>(d * a);
-  };
-  return (side(after) - side(before)).norm() > side(before).norm();
-}
-
-bool jumped(Membrane const& m, Eigen::VectorXd const& before, Eigen::VectorXd const& after)
-{
-  for (int e = 0; e < element_count(m); ++e)
-    if (side_jumped<2>(before, after, e, e + 1)) return true;
-  return false;
-}
-
-bool jumped(Sheet const& s, Eigen::VectorXd const& before, Eigen::VectorXd const& after)
-{
-  for (auto const& t : s.triangles)
-    for (int i = 0; i < 3; ++i)
-      if (side_jumped<3>(before, after, t[i], t[(i + 1) % 3])) return true;
-  return false;
+  double const k = 1 - w.alpha_f, c = k * w.gamma / (w.beta * dt);
+  Eigen::VectorXd const inertia =
+      ((1 - w.alpha_m) / (w.beta * dt * dt) + c * s.damping.alpha) * s.mass;
+  if (xf) set_tangent<Body>(*s.newton, total_stiffness(m, *xf, loads), s.K0, k, inertia);
+  return factorise<Body>(*s.newton, k, c * s.damping.beta, inertia, wall.Z, dt, m.fixed);
 }
 
 /// The mass of a component is that of its node.
@@ -114,31 +87,34 @@ Eigen::VectorXd per_component(Eigen::VectorXd const& nodal, int d)
   return mass;
 }
 
-/// One step of length dt from old; next holds the result where it converged.
+/// One step of length dt from old; next holds the result where it converged. A tangent serves for
+/// as long as its corrections converge well, from step to step.
 template <class Body>
-Outcome try_step(ImplicitStepper const& s, Body const& m, State const& old, State& next, double dt,
-                 std::span<Load const> loads)
+Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall, State const& old,
+                 State& next, double dt, std::span<Load const> loads)
 {
   auto const w = weights(s.rho_inf);
   Outcome outcome;
   next = old;
+  double const served = dt <= s.tangent_step ? s.tangent_step : 0;
+  bool keeps = true;  // the tangent that the step began with
+  s.tangent_step = 0;
   // The accelerations are the unknowns: small steps then lose no digits. Starting where the old
-  // velocity leads keeps a large first acceleration from throwing Newton far away.
-  next.a = -(0.5 - w.beta) / w.beta * old.a;
-  double const floor = rounding_force(m, old.x);
+  // velocity leads keeps a large first acceleration from throwing Newton far away; where steps are
+  // short the acceleration hardly changes.
+  next.a = served > 0 ? old.a : Eigen::VectorXd(-(0.5 - w.beta) / w.beta * old.a);
   double previous = 0;
   for (int iteration = 0;; ++iteration) {
-    next.x = old.x + dt * old.v + dt * dt * ((0.5 - w.beta) * old.a + w.beta * next.a);
-    next.v = old.v + dt * ((1 - w.gamma) * old.a + w.gamma * next.a);
-
+    Eigen::VectorXd const mean = follow(old, next, dt, w);
     Eigen::VectorXd const xf = (1 - w.alpha_f) * next.x + w.alpha_f * old.x;
     Eigen::VectorXd const inertia = times_mass(s, (1 - w.alpha_m) * next.a + w.alpha_m * old.a);
     Eigen::VectorXd const damping = damping_force(s, (1 - w.alpha_f) * next.v + w.alpha_f * old.v);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(xf.size()), elastic = load;
+    add(wall, mean, load);
     for (auto const& l : loads) l(xf, load, nullptr);
     add_elastic_force(m, xf, elastic);
-    double const scale = std::max({inertia.cwiseAbs().maxCoeff(), damping.cwiseAbs().maxCoeff(),
-                                   load.cwiseAbs().maxCoeff(), elastic.cwiseAbs().maxCoeff()});
+    double const scale = std::max(
+        {largest(inertia), largest(damping), largest(load), largest(elastic), largest(wall.F0)});
     Eigen::VectorXd residual = load + elastic - inertia - damping;
     drop_fixed(m.fixed, residual);
 
@@ -146,17 +122,30 @@ Outcome try_step(ImplicitStepper const& s, Body const& m, State const& old, Stat
     double const now = residual.cwiseAbs().maxCoeff(&worst);
     outcome.worst_node = static_cast<int>(worst) / Body::dimension;
     outcome.residual = scale > 0 ? now / scale : 0;
-    outcome.converged = std::isfinite(now) && now <= tolerance * scale + floor;
+    double const allowed = tolerance * scale;
+    // without a correction the acceleration would stay, and its error add up over the steps
+    outcome.converged = iteration == 0
+                            ? now <= allowed && now <= rounding_force(m, old.x)
+                            : now <= allowed || now <= allowed + rounding_force(m, old.x);
     bool const hopeless = !std::isfinite(now) || (iteration > 3 && now > 2 * previous);
     if (outcome.converged || hopeless || iteration == max_newton) {
+      if (outcome.converged && iteration > 0) {  // what is left is not left to add up either
+        next.a += solve(*s.newton, residual) / (w.beta * dt * dt);
+        follow(old, next, dt, w);
+      }
       outcome.converged = outcome.converged && !jumped(m, old.x, next.x);
+      if (outcome.converged && keeps && iteration <= few)
+        s.tangent_step = served > 0 || iteration == 0 ? served : dt;
       return outcome;
     }
 
+    bool const slow = iteration > 0 && now > good_rate * previous;
+    keeps = keeps && !slow;
+    bool const fresh = slow || (iteration == 0 && served == 0);
+    if ((fresh || iteration == 0) && !factorise(s, m, wall, fresh ? &xf : nullptr, dt, w, loads))
+      return outcome;
     previous = now;
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(jacobian(s, m, xf, dt, w, loads));
-    if (lu.info() != Eigen::Success) return outcome;
-    next.a += lu.solve(residual) / (w.beta * dt * dt);
+    next.a += solve(*s.newton, residual) / (w.beta * dt * dt);
     ++outcome.iterations;
   }
 }
@@ -166,28 +155,42 @@ Outcome try_step(ImplicitStepper const& s, Body const& m, State const& old, Stat
 template <class Body>
 ImplicitStepper implicit_stepper(Body const& m, Rayleigh const& damping, double rho_inf)
 {
-  core::require(rho_inf >= 0 && rho_inf <= 1,
-                "the spectral radius at infinite frequency must lie between 0 and 1");
-  return {damping,
-          rho_inf,
-          per_component(lumped_mass(m), Body::dimension),
-          damping_stiffness(m, m.reference),
-          {}};
+  return implicit_stepper(m, damping, m.reference, {}, rho_inf);
 }
 
 template <class Body>
-ImplicitReport advance(ImplicitStepper& s, Body& m, double dt, std::span<Load const> loads)
+ImplicitStepper implicit_stepper(Body const& m, Rayleigh const& damping,
+                                 Eigen::VectorXd const& state, std::span<Load const> elastic,
+                                 double rho_inf)
 {
-  if (s.acceleration.size() == 0) start(s, m, loads);
+  core::require(rho_inf >= 0 && rho_inf <= 1,
+                "the spectral radius at infinite frequency must lie between 0 and 1");
+  ImplicitStepper s;
+  s.damping = damping;
+  s.rho_inf = rho_inf;
+  s.mass = per_component(lumped_mass(m), Body::dimension);
+  s.K0 = damping_stiffness(m, state, elastic);
+  s.newton = std::make_unique<NewtonMatrix>();
+  return s;
+}
+
+template <class Body>
+ImplicitReport advance(ImplicitStepper& s, Body& m, Eigen::VectorXd const& F0,
+                       std::span<NodeBlock<Body> const> Z, double dt, std::span<Load const> loads)
+{
+  WallForce<Body> const wall{F0, Z};
+  if (s.acceleration.size() == 0) start(s, m, wall, dt, loads);
   ImplicitReport report;
   double done = 0, part = 1;  // shares of dt
   State next;
+  s.mean = Eigen::VectorXd::Zero(m.position.size());
   while (done < 1) {
     part = std::min(part, 1 - done);
     State const old{m.position, m.velocity, s.acceleration};
-    auto const outcome = try_step(s, m, old, next, part * dt, loads);
+    auto const outcome = try_step(s, m, wall, old, next, part * dt, loads);
     report.iterations += outcome.iterations;
     if (outcome.converged) {
+      s.mean += part * mean_velocity(old, next, part * dt, weights(s.rho_inf));
       m.position = next.x, m.velocity = next.v, s.acceleration = next.a;
       report.residual = std::max(report.residual, outcome.residual);
       ++report.steps;
@@ -207,9 +210,23 @@ ImplicitReport advance(ImplicitStepper& s, Body& m, double dt, std::span<Load co
   return report;
 }
 
+template <class Body>
+ImplicitReport advance(ImplicitStepper& s, Body& m, double dt, std::span<Load const> loads)
+{
+  return advance(s, m, {}, {}, dt, loads);
+}
+
 template ImplicitStepper implicit_stepper(Membrane const&, Rayleigh const&, double);
 template ImplicitStepper implicit_stepper(Sheet const&, Rayleigh const&, double);
+template ImplicitStepper implicit_stepper(Membrane const&, Rayleigh const&, Eigen::VectorXd const&,
+                                          std::span<Load const>, double);
+template ImplicitStepper implicit_stepper(Sheet const&, Rayleigh const&, Eigen::VectorXd const&,
+                                          std::span<Load const>, double);
 template ImplicitReport advance(ImplicitStepper&, Membrane&, double, std::span<Load const>);
 template ImplicitReport advance(ImplicitStepper&, Sheet&, double, std::span<Load const>);
+template ImplicitReport advance(ImplicitStepper&, Membrane&, Eigen::VectorXd const&,
+                                std::span<Eigen::Matrix2d const>, double, std::span<Load const>);
+template ImplicitReport advance(ImplicitStepper&, Sheet&, Eigen::VectorXd const&,
+                                std::span<Eigen::Matrix3d const>, double, std::span<Load const>);
 
 }  // namespace velum::structure

@@ -58,13 +58,15 @@ SchemeChoice choose_scheme(double dt, double stable, double cost_ratio, std::str
 
 double typical_cost_ratio(Membrane const&, Rayleigh const& damping)
 {
-  return damping.beta > 0 ? 50 : 80;
+  return damping.beta > 0 ? 15 : 30;
 }
 
-double typical_cost_ratio(Sheet const& s, Rayleigh const& damping)
+double typical_cost_ratio(Sheet const&, Rayleigh const& damping)
 {
-  return damping.beta > 0 ? 80 : 200 * std::cbrt(node_count(s) / 500.0);
+  return damping.beta > 0 ? 50 : 140;
 }
+
+double coupled_cost_ratio(Membrane const&) { return 3; }
 
 template <class Body>
 double measured_cost_ratio(Body const& body, Rayleigh const& damping, double dt, double stable,

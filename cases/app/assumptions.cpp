@@ -9,7 +9,6 @@
 #include "cases/app/geometry.hpp"
 #include "cases/app/material_range.hpp"
 #include "cases/app/scene_words.hpp"
-#include "structure/scheme.hpp"
 
 namespace velum::cases {
 
@@ -118,15 +117,7 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
         has_bending(*scene.membrane)
             ? ""
             : " (the flat membrane, without bending, would have none across)");
-    structure::Rayleigh const damping{m.damping_mass, m.damping_stiffness};
-    a["scheme of the membrane"] = fmt::format(
-        "explicit, {} sub-steps of a step or more while it touches (stable to {:.3g} us, the step "
-        "is "
-        "{:.3g} us); only that carries the fluid's part of the force, and an implicit step would "
-        "cost "
-        "some {:.0f} of them",
-        d.sub_steps, 1e6 * d.structure_step, 1e6 * d.units.dt,
-        structure::typical_cost_ratio(make_membrane(scene), damping));
+    a["scheme of the membrane"] = d.membrane_scheme.sentence;
     a["coupling"] =
         scene.coupling.feedback == Feedback::one_way
             ? fmt::format("{}, one way: the membrane drives the fluid and does not feel it",

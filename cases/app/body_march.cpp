@@ -1,6 +1,7 @@
 #include "cases/app/body_march.hpp"
 
 #include "cases/app/body_words.hpp"
+#include "cases/app/chosen_scheme.hpp"
 #include "core/check.hpp"
 #include "ibm/contact_march.hpp"
 #include "ibm/contact_step.hpp"
@@ -8,7 +9,6 @@
 #include "structure/implicit_step.hpp"
 #include "structure/mass.hpp"
 #include "structure/sheet_force.hpp"
-#include "structure/stable_step.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -44,17 +44,8 @@ structure::SchemeChoice choose(BodyScene const& scene, BodyModel<Body> const& mo
                                structure::Rayleigh const& damping)
 {
   auto const& march = *scene.march;
-  double const stable = stable_at_rest(model);
-  auto choice = structure::choose_scheme(march.step, stable,
-                                         structure::typical_cost_ratio(model.body, damping));
-  if (march.scheme && *march.scheme != choice.scheme) {
-    choice.scheme = *march.scheme;
-    choice.substeps = choice.scheme == structure::TimeScheme::implicit
-                          ? 1
-                          : structure::substeps_for(march.step, stable);
-    choice.sentence = fmt::format("{}, as the scene says ({} sub-steps); of itself: {}",
-                                  word(choice.scheme), choice.substeps, choice.sentence);
-  }
+  auto choice = chosen_scheme(march.scheme, march.step, stable_at_rest(model),
+                              structure::typical_cost_ratio(model.body, damping));
   if (model.contact)
     choice.sentence += choice.scheme == structure::TimeScheme::implicit
                            ? "; cut where it would pass the seat"
@@ -97,17 +88,17 @@ Stepper stepper(BodyScene const& scene, BodyModel<Body>& model,
       return step.iterations;
     };
   };
+  std::vector<structure::Load> elastic;
+  if (!model.bending.empty()) elastic.push_back(structure::bending_load(model.bending));
   if (choice.scheme == structure::TimeScheme::implicit) {
     auto const s = std::make_shared<structure::ImplicitStepper>(
-        structure::implicit_stepper(model.body, damping));
+        structure::implicit_stepper(model.body, damping, model.body.reference, elastic));
     double const at = structure::time_of_loads(*s);
     if (model.contact) return {in_contact(s), at};
     return {
         [&model, s, dt] { return structure::advance(*s, model.body, dt, model.loads).iterations; },
         at};
   }
-  std::vector<structure::Load> elastic;
-  if (!model.bending.empty()) elastic.push_back(structure::bending_load(model.bending));
   auto const s = std::make_shared<structure::ExplicitStepper>(
       structure::explicit_stepper(model.body, damping, model.body.reference, elastic));
   if (model.contact) return {in_contact(s)};

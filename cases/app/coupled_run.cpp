@@ -94,6 +94,14 @@ void record(Output& out, CoupledScene<Real, Body> const& s, Measurement const& m
   while (out.next_dump <= m.time + almost) out.next_dump += output_every;
 }
 
+template <class Real, template <class> class Body>
+std::string coupling_in_words(ibm::Coupled<Real, Body> const& s)
+{
+  bool const implicit = std::holds_alternative<structure::ImplicitStepper>(s.stepper);
+  return fmt::format("{} links, {}", s.body.exchange.link_count,
+                     implicit ? "implicit" : fmt::format("{} sub-steps", s.substeps));
+}
+
 /// One step; where the membrane fails in it, the sentence gets the step and the likely cause.
 template <class Real, template <class> class Body>
 void step(CoupledScene<Real, Body>& s, long n)
@@ -171,8 +179,7 @@ Certificate march(Scene const& scene, RunOptions const& options, HydrostaticScen
                      .end = double(total) * dt,
                      .mlups = mlups,
                      .mach = c.mach_max,
-                     .coupling = fmt::format("{} links, {} sub-steps",
-                                             s.state.body.exchange.link_count, s.state.substeps)});
+                     .coupling = coupling_in_words(s.state)});
       stopped = stop_requested();
     }
     if (n % sample == 0 || n == total || n == settle || n == window || stopped) {

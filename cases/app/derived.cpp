@@ -1,9 +1,13 @@
 #include "cases/app/derived.hpp"
 
+#include "cases/app/chosen_scheme.hpp"
 #include "cases/app/geometry.hpp"
+#include "contact/penalty.hpp"
 #include "structure/line_bending.hpp"
 #include "structure/mass.hpp"
 #include "structure/stable_step.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +115,34 @@ double smallest_thickness(MembraneSheet const& membrane)
   return least;
 }
 
+std::optional<structure::TimeScheme> asked_scheme(Scene const& scene)
+{
+  switch (scene.coupling.membrane) {
+    case MembraneScheme::explicit_:
+      return structure::TimeScheme::explicit_substeps;
+    case MembraneScheme::implicit:
+      return structure::TimeScheme::implicit;
+    case MembraneScheme::auto_:
+      return {};
+  }
+  return {};
+}
+
+bool carries_chambers(Scene const& scene)
+{
+  return !scene.chambers.empty() || scene.fidelity == Fidelity::lumped;
+}
+
+/// Square of the angular frequency of the lightest part of the membrane on the seat's penalty.
+double contact_frequency2(Scene const& scene, Derived const& d)
+{
+  if (!scene.contact) return 0;
+  double const areal_mass = scene.materials.at(scene.membrane->material).density * d.thickness;
+  double const k =
+      scene.contact->stiffness.value_or(contact::stable_stiffness(areal_mass, d.units.dt));
+  return k / areal_mass;
+}
+
 void derive_membrane(Scene const& scene, Derived& d)
 {
   auto const& sheet = *scene.membrane;
@@ -121,6 +153,17 @@ void derive_membrane(Scene const& scene, Derived& d)
   d.structure_step = structure::stable_step(membrane, structure::lumped_mass(membrane),
                                             membrane.reference, bending_of(sheet, membrane));
   d.sub_steps = structure::substeps_for(d.units.dt, d.structure_step);
+  double const closed =
+      1 / std::sqrt(1 / (d.structure_step * d.structure_step) + contact_frequency2(scene, d) / 4);
+  d.membrane_scheme = chosen_scheme(asked_scheme(scene), 1e6 * d.units.dt, 1e6 * closed,
+                                    structure::coupled_cost_ratio(membrane), "us");
+  if (carries_chambers(scene)) {
+    int const substeps = structure::substeps_for(d.units.dt, closed);
+    d.membrane_scheme = {structure::TimeScheme::explicit_substeps, substeps,
+                         fmt::format("explicit, {} sub-steps: only they carry the pressures of "
+                                     "chambers; of itself: {}",
+                                     substeps, d.membrane_scheme.sentence)};
+  }
   // The undamped limit is 2 / omega, so omega^2 = 4 / step^2.
   if (material.damping_stiffness > 0)
     d.damping_step = d.structure_step * d.structure_step / (2 * material.damping_stiffness);

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
+#include "structure/scheme.hpp"
 
 #include <cstdint>
 
@@ -27,8 +28,10 @@ struct Derived {
   double thickness;         // least of the membrane
   double mass_ratio;        // rho_s thickness / (rho dx)
   double structure_step;    // stable step of the undamped explicit membrane, without contact
-  int sub_steps;            // of the membrane in one step of the fluid
-  double damping_step;      // what an explicit beta K0 would allow: 2 / (beta omega^2)
+  int sub_steps;            // of the membrane in one step of the fluid, were they explicit
+  /// How the membrane takes a step of the fluid, contact included.
+  structure::SchemeChoice membrane_scheme;
+  double damping_step;  // what an explicit beta K0 would allow: 2 / (beta omega^2)
 };
 
 /// Largest velocity that the boundaries, a body force, the initial flow and a prescribed motion can

@@ -6,6 +6,9 @@
 #include "structure/spring.hpp"
 #include "structure/stable_step.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace velum::cases {
 
 namespace {
@@ -43,6 +46,24 @@ std::vector<int> centre_nodes(structure::Membrane const& m, double radius)
   for (int a = 0; a < node_count(m); ++a)
     if (m.reference[2 * a + 1] <= radius * (1 + 1e-9)) nodes.push_back(a);
   return nodes;
+}
+
+/// Least mass per area of what can come to the seat: nodes that lie, in the flat membrane, at most
+/// an eighth of its span farther from it than the nearest one. A thin ring at the rim would
+/// otherwise make the seat of a thick middle soft.
+double lightest_on_seat(structure::Membrane const& m, ibm::SeatContact const& seat,
+                        Eigen::VectorXd const& areal_mass)
+{
+  auto const& markers = seat.markers;
+  double const span = m.reference[2 * node_count(m) - 1] - m.reference[1];
+  std::vector<double> gap;
+  for (std::size_t a = 0; a < markers.X.size(); ++a)
+    gap.push_back(contact::gap(seat.contact, markers, a));
+  double const near = *std::min_element(gap.begin(), gap.end()) + span / 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < gap.size(); ++a)
+    if (gap[a] <= near) least = std::min(least, areal_mass[static_cast<Eigen::Index>(a)]);
+  return least;
 }
 
 /// Sub-steps that the membrane takes where it is, closed.
@@ -88,13 +109,18 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
   s.contact_stiffness = Eigen::VectorXd::Zero(mass.size());
   if (scene.contact) {
     Eigen::VectorXd const area = structure::nodal_area(s.membrane);
+    Eigen::VectorXd const areal_mass = mass.array() / area.array();
+    s.seat = std::make_shared<ibm::SeatContact>(ibm::make_seat_contact(
+        core::transformed(solid(scene, scene.contact->seat), 1 / dx, {0, 0}), 0, s.membrane));
+    ibm::press(*s.seat, s.membrane.position);
+    double const lightest = lightest_on_seat(s.membrane, *s.seat, areal_mass);
     // per length and area: pressure / dx
     double const k = scene.contact->stiffness
                          ? core::to_lattice_pressure(d.units, *scene.contact->stiffness * dx)
-                         : contact::stable_stiffness((mass.array() / area.array()).minCoeff(), 1);
-    s.contact_stiffness = k * area;
-    s.seat = std::make_shared<ibm::SeatContact>(ibm::make_seat_contact(
-        core::transformed(solid(scene, scene.contact->seat), 1 / dx, {0, 0}), k, s.membrane));
+                         : contact::stable_stiffness(lightest, 1);
+    s.seat->contact.stiffness = k;
+    for (int a = 0; a < mass.size(); ++a)
+      if (areal_mass[a] >= lightest) s.contact_stiffness[a] = k * area[a];
   }
   s.substeps = substeps_of(s, s.membrane.reference);
   return s;
@@ -120,13 +146,17 @@ void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& d)
     s.substeps = std::max(s.substeps, substeps_of(s, s.membrane.position));
 }
 
+structure::Rayleigh membrane_damping(Scene const& scene, Derived const& d)
+{
+  auto const& material = scene.materials.at(scene.membrane->material);
+  return {core::to_lattice_frequency(d.units, material.damping_mass),
+          core::to_lattice_time(d.units, material.damping_stiffness)};
+}
+
 structure::ExplicitStepper membrane_stepper(Scene const& scene, Derived const& d,
                                             HydrostaticScene const& start)
 {
-  auto const& material = scene.materials.at(scene.membrane->material);
-  return structure::explicit_stepper(start.membrane,
-                                     {core::to_lattice_frequency(d.units, material.damping_mass),
-                                      core::to_lattice_time(d.units, material.damping_stiffness)},
+  return structure::explicit_stepper(start.membrane, membrane_damping(scene, d),
                                      start.membrane.position, start.bending);
 }
 

@@ -32,6 +32,9 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& derived)
 /// fluid at rest has no answer.
 void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& derived);
 
+/// Rayleigh damping of the membrane's material, lattice units.
+structure::Rayleigh membrane_damping(Scene const& scene, Derived const& derived);
+
 /// Its explicit stepper, with the damping of the stiffness of where it is; lattice units.
 structure::ExplicitStepper membrane_stepper(Scene const& scene, Derived const& derived,
                                             HydrostaticScene const& start);

@@ -65,6 +65,9 @@ Row mass_row(Scene const& scene, Derived const& d)
 
 Row sub_steps_row(Scene const& scene, Derived const& d)
 {
+  if (d.membrane_scheme.scheme == structure::TimeScheme::implicit)
+    return {"steps of the membrane", 1, "", Verdict::ok,
+            fmt::format("implicit, in place of {} sub-steps or more", d.sub_steps)};
   Row row{"sub-steps of the membrane", static_cast<double>(d.sub_steps), "", Verdict::ok,
           "more while contact is closed"};
   if (d.sub_steps > 32) {

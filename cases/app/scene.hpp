@@ -41,6 +41,7 @@ enum class ContactMethod { penalty, augmented_lagrangian };
 enum class LipPressure { none, linear };
 enum class CouplingMethod { sharp, diffuse };
 enum class CouplingScheme { implicit, explicit_ };
+enum class MembraneScheme { auto_, explicit_, implicit };
 enum class Feedback { two_way, one_way };
 
 /// The grid of cells from corner `from` to at least corner `to`.
@@ -164,6 +165,7 @@ struct ContactPair {
 struct Coupling {
   CouplingMethod method = CouplingMethod::sharp;
   CouplingScheme scheme = CouplingScheme::implicit;
+  MembraneScheme membrane = MembraneScheme::auto_;  // of the membrane's own steps
   Feedback feedback = Feedback::two_way;
 };
 

@@ -105,10 +105,11 @@ ContactPair read_contact(SceneTable table)
 
 Coupling read_coupling(SceneTable table)
 {
-  table.allow({"method", "scheme", "feedback"});
+  table.allow({"method", "scheme", "membrane", "feedback"});
   Coupling coupling;
   coupling.method = table.choice<CouplingMethod>("method", coupling.method);
   coupling.scheme = table.choice<CouplingScheme>("scheme", coupling.scheme);
+  coupling.membrane = table.choice<MembraneScheme>("membrane", coupling.membrane);
   coupling.feedback = table.choice<Feedback>("feedback", coupling.feedback);
   return coupling;
 }

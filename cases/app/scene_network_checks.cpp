@@ -92,6 +92,9 @@ void check_network(Scene const& scene)
   if (!scene.membrane || symmetry(scene) != core::Symmetry::axisymmetric)
     reject(scene, first, "is for axisymmetric scenes with a membrane.");
   if (scene.chambers.empty()) reject(scene, "orifice", "needs a chamber to fill or empty.");
+  if (scene.coupling.membrane == MembraneScheme::implicit)
+    reject(scene, "coupling.membrane",
+           "= \"implicit\" carries no chambers; \"auto\" and \"explicit\" do.");
   check_chambers(scene);
   for (auto const& o : scene.orifices) check_orifice(scene, o);
 }

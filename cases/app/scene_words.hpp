@@ -148,6 +148,12 @@ inline Words<CouplingScheme> words(CouplingScheme)
 {
   return {{"implicit", CouplingScheme::implicit}, {"explicit", CouplingScheme::explicit_}};
 }
+inline Words<MembraneScheme> words(MembraneScheme)
+{
+  return {{"auto", MembraneScheme::auto_},
+          {"explicit", MembraneScheme::explicit_},
+          {"implicit", MembraneScheme::implicit}};
+}
 
 /// The word for a choice.
 template <class Choice>

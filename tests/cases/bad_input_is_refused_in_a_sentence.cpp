@@ -63,6 +63,15 @@ TEST(BadInput, WrongWordHasNearestAndAllowedWords)
             "Allowed: traction, pressure, velocity, flow_rate, outflow, moving_wall.");
 }
 
+TEST(BadInput, SchemeOfTheMembraneIsOneOfThree)
+{
+  for (auto const* scheme : {"auto", "explicit", "implicit"})
+    EXPECT_EQ(refusal(small_valve, {std::string("coupling.membrane=") + scheme}), "");
+  EXPECT_EQ(refusal(small_valve, {"coupling.membrane=implicitly"}),
+            "--set: coupling.membrane cannot be the text \"implicitly\"; did you mean "
+            "\"implicit\"? Allowed: auto, explicit, implicit.");
+}
+
 TEST(BadInput, NegativeOrZeroCellIsRefused)
 {
   EXPECT_EQ(refused("dx = \"100 um\"", "dx = \"-100 um\""),

@@ -47,6 +47,23 @@ TEST(ClosedValve, HoldsItsPressure)
   EXPECT_NEAR(deflection / figure(out.folder, "centre_deflection_hydrostatic"), 1, 0.01);
 }
 
+// With bending: by explicit sub-steps and implicitly the same history.
+TEST(ClosedValve, HoldsInStepsOfEitherKind)
+{
+  double deflection[2];
+  int k = 0;
+  for (std::string const scheme : {"explicit", "implicit"}) {
+    Scratch const out("closed_valve_" + scheme);
+    auto const run =
+        run_closed_valve(out, " --set membrane.bending=on --set coupling.membrane=" + scheme);
+    ASSERT_EQ(run.exit_code, 0) << run.text;
+    expect_sealed(out);
+    deflection[k++] = figure(out.folder, "centre_deflection");
+    EXPECT_NEAR(deflection[k - 1] / figure(out.folder, "centre_deflection_hydrostatic"), 1, 0.01);
+  }
+  EXPECT_NEAR(deflection[1] / deflection[0], 1, 1e-4);
+}
+
 // A seat anywhere against the lattice: the same verdict, along and across.
 TEST(ClosedValve, SealsWhereverTheSeatLies)
 {

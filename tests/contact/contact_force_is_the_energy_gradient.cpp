@@ -32,6 +32,27 @@ double energy_at(Contact const& c, core::Vec2 const& X)
   return g < 0 ? 0.5 * c.stiffness * 0.3 * g * g : 0;
 }
 
+TEST(ContactForce, is_the_same_where_markers_out_of_reach_are_spared)
+{
+  Contact const corner{
+      core::subtract(core::box({-2, -2}, {0, 0}, 0.3), core::disc({-1, 0}, 0.5)), 50, {}};
+  Clearance clearance;
+  int touching = 0;
+  for (int n = 0; n < 2000; ++n) {
+    // comes near and goes again, fast and slowly
+    auto spared = marker_at({1.5 * std::cos(0.05 * n) - 1, 0.7 + 0.6 * std::sin(0.37 * n)});
+    auto all = spared;
+    if (n % 100 == 50) spared.offset[0] = all.offset[0] = 0.4;
+    add_forces(corner, spared, clearance);
+    add_forces(corner, all);
+    EXPECT_EQ(spared.F[0][0], all.F[0][0]);
+    EXPECT_EQ(spared.F[0][1], all.F[0][1]);
+    touching += all.F[0][1] != 0;
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_LT(touching, 1900);
+}
+
 TEST(ContactForce, is_the_energy_gradient_and_has_the_exact_tangent)
 {
   Contact const corner{core::box({-2, -2}, {0, 0}, 0.3), 50, {}};
