@@ -1,31 +1,38 @@
 #include "ibm/cells.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace velum::ibm {
 
 namespace {
 
-/// Gap at a fluid site near a wall: distance to the wall plus distance to the face of its side.
-double gap_at(Cells const& cells, Surface const& surface, lbm::Walls const& walls, std::size_t k)
+/// Sites as far as this below the lowest point of the minus face need not be looked at.
+double lowest(FaceLine const& face)
 {
-  int const nx = cells.labels.nx, i = static_cast<int>(k) % nx, j = static_cast<int>(k) / nx;
-  core::Vec2 const p = cells.labels.origin + core::Vec2{i + 0.5, j + 0.5};
-  bool const plus = cells.labels.side[k] == plus_side;
-  double const to_face = plus ? distance(surface.plus, cells.plus_index, p)
-                              : distance(surface.minus, cells.minus_index, p);
-  return walls.distance[k] + to_face;
+  double x = face.points[1][0];
+  for (std::size_t a = 1; a + 1 < face.points.size(); ++a) x = std::min(x, face.points[a][0]);
+  return x;
 }
 
 }  // namespace
 
-Cells make_cells(lbm::Walls const& walls, core::Vec2 origin, bool dry_plus)
+Cells make_cells(lbm::Walls const& walls, core::Vec2 origin, bool dry_plus, SeatGapCells const& gap)
 {
   Cells cells;
   cells.dry_plus = dry_plus;
+  cells.gap_width = gap.width;
   cells.labels = make_labels(walls.nx, walls.ny, origin);
   cells.state.assign(walls.solid.size(), wall);
-  for (std::size_t k = 0; k < walls.solid.size(); ++k)
-    if (!walls.solid[k] && walls.distance[k] < film_opens)
-      cells.near_wall.push_back(static_cast<int>(k));
+  for (std::size_t k = 0; k < walls.solid.size(); ++k) {
+    if (walls.solid[k]) continue;
+    int const site = static_cast<int>(k), i = site % walls.nx, j = site / walls.nx;
+    bool const wall = walls.distance[k] < film_opens;
+    double const seat = gap.width > 0
+                            ? core::distance(gap.seat, origin + core::Vec2{i + 0.5, j + 0.5})
+                            : std::numeric_limits<double>::infinity();
+    if (wall || seat < gap.width + gap_hysteresis) cells.near.push_back({site, wall, seat});
+  }
   return cells;
 }
 
@@ -44,14 +51,30 @@ bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls)
     cells.changes.push_back({i, j, cells.state[k], to});
     cells.state[k] = to;
   };
+  auto const held = [&](std::size_t k) {  // film and gap end by their own rule below
+    return (cells.state[k] == film || cells.state[k] == gap) && side(k) != inside;
+  };
   if (classify(labels, surface))
     for (std::size_t k = 0; k < cells.state.size(); ++k)
-      if (!walls.solid[k] && !(cells.state[k] == film && side(k) != inside)) change(k, side(k));
-  for (int site : cells.near_wall) {
+      if (!walls.solid[k] && !held(k)) change(k, side(k));
+  double const far_below = lowest(surface.minus) - cells.gap_width - 1;
+  for (auto const& [site, by_wall, seat] : cells.near) {
     auto const k = static_cast<std::size_t>(site);
     if (side(k) == inside) continue;
-    double const threshold = cells.state[k] == film ? film_opens : film_closes;
-    change(k, gap_at(cells, surface, walls, k) < threshold ? std::uint8_t(film) : side(k));
+    core::Vec2 const p = labels.origin + core::Vec2{site % labels.nx + 0.5, site / labels.nx + 0.5};
+    bool const plus = labels.side[k] == plus_side;
+    if (!plus && p[0] < far_below) {
+      change(k, side(k));
+      continue;
+    }
+    double const to_face = plus ? distance(surface.plus, cells.plus_index, p)
+                                : distance(surface.minus, cells.minus_index, p);
+    std::uint8_t const now = cells.state[k];
+    std::uint8_t to = side(k);
+    if (by_wall && walls.distance[k] + to_face < (now == film ? film_opens : film_closes))
+      to = film;
+    if (!plus && seat + to_face < cells.gap_width + (now == gap ? gap_hysteresis : 0.0)) to = gap;
+    change(k, to);
   }
   return !cells.changes.empty();
 }

@@ -14,14 +14,36 @@ double area_of(LatticePort const& p, std::vector<lbm::Opening> const& openings)
   return area;
 }
 
+/// The law of the gap at this instant; none where one edge is not in the lattice.
+void set_gap(Chambers& c, std::vector<lbm::Opening> const& openings, SeatContact const& seat,
+             core::Symmetry symmetry)
+{
+  GapFlow& g = *c.gap;
+  g.gap = seat_gap(g.law, seat, symmetry);
+  bool const edges = openings[g.opening[0]].area > 0 && openings[g.opening[1]].area > 0;
+  c.network.passages[static_cast<std::size_t>(g.passage)].loss = edges ? g.gap.loss : std::nullopt;
+}
+
 }  // namespace
 
-void begin_step(Chambers& c, std::vector<lbm::Opening> const& openings,
-                structure::Membrane const& membrane)
+bool passes(Chambers const& c)
 {
+  return c.gap && c.network.passages[static_cast<std::size_t>(c.gap->passage)].loss.has_value();
+}
+
+double gap_flow(Chambers const& c)
+{
+  return c.network.passages[static_cast<std::size_t>(c.gap->passage)].flow;
+}
+
+void begin_step(Chambers& c, std::vector<lbm::Opening> const& openings,
+                structure::Membrane const& membrane, SeatContact const* seat)
+{
+  if (c.gap) set_gap(c, openings, *seat, membrane.symmetry);
   for (LatticePort const& p : c.ports) {
     Port& port = c.network.ports[static_cast<std::size_t>(p.port)];
     double const area = area_of(p, openings);
+    if (area <= 0) continue;
     port.pressure = 0;
     for (std::size_t k : p.openings)
       port.pressure += openings[k].traction * openings[k].area / area;
@@ -45,7 +67,7 @@ void end_step(Chambers& c, std::vector<lbm::Opening> const& openings, std::vecto
   for (LatticePort const& p : c.ports) {
     double const area = area_of(p, openings);
     double const flow = c.network.ports[static_cast<std::size_t>(p.port)].flow;
-    for (std::size_t k : p.openings) targets[k] = flow * openings[k].area / area;
+    for (std::size_t k : p.openings) targets[k] = area > 0 ? flow * openings[k].area / area : 0;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ibm/network.hpp"
+#include "ibm/seat_gap.hpp"
 #include "lbm/opening.hpp"
 #include "structure/membrane.hpp"
 
@@ -14,22 +15,40 @@ struct LatticePort {
   int port;
 };
 
+/// Flow through the membrane's own gap where a law stands in for the lattice: a passage between two
+/// ports, whose openings are the edges of the gap, outside and within.
+struct GapFlow {
+  GapLaw law;
+  int passage;
+  std::size_t opening[2];  // outside, inside
+  SeatGap gap{};           // of the step under way
+};
+
 /// Lumped chambers and orifices around a lattice: a chamber may lie on the plus side of the
 /// membrane, where then no lattice fluid is, and passages may end in openings of the lattice.
 struct Chambers {
   Network network;
   int above = -1;  // chamber on the plus side, or -1
   std::vector<LatticePort> ports;
+  std::optional<GapFlow> gap;
   std::vector<double> volume;     // of each chamber beyond that of the start: what was swept
   std::vector<LinearFlow> flows;  // of the step under way
   structure::Enclosures enclosed;
 };
 
+/// Whether a gap flow is in use: its edges are in the lattice and fluid can pass between them.
+bool passes(Chambers const& c);
+
+/// Volume that went through the gap by its law in the last step, inwards.
+/// @pre there is a gap flow
+double gap_flow(Chambers const& c);
+
 /// Before the membrane's step: the ports take the pressure that the openings measured, and what the
 /// membrane will feel of the chambers is made ready. A port's impedance is that of a plane wave
 /// into the lattice, rho c / area.
+/// @param seat  looked at where there is a gap flow
 void begin_step(Chambers& c, std::vector<lbm::Opening> const& openings,
-                structure::Membrane const& membrane);
+                structure::Membrane const& membrane, SeatContact const* seat);
 
 /// After it: flows, contents and pressures of the chambers; the openings of the ports are given the
 /// flows for the fluid's next step, so that what leaves the network enters the lattice to the last

@@ -20,7 +20,7 @@ bool nearest_sample(Exchange const& e, std::vector<char> const& film, int side, 
 
 /// Pressure of node a at this instant: its own links', or between its neighbours', or the film's.
 double instant_pressure(FacePressure const& pressure, Exchange const& e, int side, int a,
-                        contact::Patch const& patch)
+                        std::vector<double> const& outside_share, contact::Patch const& patch)
 {
   auto const k = static_cast<std::size_t>(a);
   bool const film = pressure.film[side][k] != 0;
@@ -33,6 +33,8 @@ double instant_pressure(FacePressure const& pressure, Exchange const& e, int sid
   if (!has_before) return after;
   if (film && side == 1 && contact::touches(patch))
     return contact::face_pressure(pressure.lip, a, patch.begin, patch.end, before, after);
+  if (film && side == 1 && !outside_share.empty())
+    return before + outside_share[k] * (after - before);
   return (before + after) / 2;
 }
 
@@ -54,8 +56,7 @@ std::vector<core::Vec2> face_area(std::vector<core::Vec2> const& line, bool plus
 }
 
 void complete_load(FacePressure& pressure, Exchange& exchange, Surface const& surface,
-                   core::Obstacle const& walls, core::Symmetry symmetry,
-                   contact::Patch const& patch)
+                   Film const& film, core::Symmetry symmetry, contact::Patch const& patch)
 {
   std::vector<core::Vec2> middle(surface.faces.plus.size());
   for (std::size_t a = 0; a < middle.size(); ++a)
@@ -66,12 +67,16 @@ void complete_load(FacePressure& pressure, Exchange& exchange, Surface const& su
     pressure.film[side].resize(n);
     pressure.p[side].resize(n, 0);
     for (std::size_t a = 0; a < n; ++a)
-      pressure.film[side][a] = core::distance(walls, face[a]) < film_closes;
+      pressure.film[side][a] =
+          core::distance(film.walls, face[a]) < film_closes ||
+          (side == 1 && film.seat.shape && core::distance(film.seat, face[a]) < film.seat_width);
     auto const area = face_area(middle, side == 0, symmetry);
     double const blend = pressure.started ? 1 / pressure_memory : 1;
     for (std::size_t a = 0; a < n; ++a) {
       double& p = pressure.p[side][a];
-      p += blend * (instant_pressure(pressure, exchange, side, static_cast<int>(a), patch) - p);
+      p += blend * (instant_pressure(pressure, exchange, side, static_cast<int>(a),
+                                     film.outside_share, patch) -
+                    p);
       core::Vec2 const missing = p * (area[a] - exchange.link_area[side][a]);
       for (int d : {0, 1}) exchange.force[static_cast<Eigen::Index>(2 * a) + d] += missing[d];
     }

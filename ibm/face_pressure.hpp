@@ -26,6 +26,14 @@ struct FacePressure {
   bool started = false;
 };
 
+/// Where the faces have films in place of fluid.
+struct Film {
+  core::Obstacle const& walls;  // nearer than half a cell to one
+  core::Obstacle seat;          // nearer than seat_width to it: minus face only
+  double seat_width;
+  std::vector<double> outside_share;  // of the pressure difference there [N]; empty: half
+};
+
 /// Steps over which the pressure of the faces is averaged.
 constexpr double pressure_memory = 1;
 
@@ -37,7 +45,6 @@ std::vector<core::Vec2> face_area(std::vector<core::Vec2> const& line, bool plus
 /// Updates the pressures from the links and adds the missing load to the force.
 /// @param patch  of the contact with the seat; may be empty
 void complete_load(FacePressure& pressure, Exchange& exchange, Surface const& surface,
-                   core::Obstacle const& walls, core::Symmetry symmetry,
-                   contact::Patch const& patch);
+                   Film const& film, core::Symmetry symmetry, contact::Patch const& patch);
 
 }  // namespace velum::ibm

@@ -55,13 +55,14 @@ double thickening_along(lbm::Link const& l, CutLink const& m, Surface const& sur
 template <class Real>
 Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
                        std::vector<lbm::WallHit> const& wall_hits,
-                       structure::Membrane const& membrane, double divide, bool dry_plus)
+                       structure::Membrane const& membrane, double divide, bool dry_plus,
+                       SeatGapCells const& gap)
 {
   Sharp<Real> body;
   body.walls = walls;
   body.wall_hits = wall_hits;
   body.divide = divide;
-  body.cells = make_cells(walls, fluid.origin, dry_plus);
+  body.cells = make_cells(walls, fluid.origin, dry_plus, gap);
   locate(body.surface, membrane);
   update(body.cells, body.surface, walls);
   rebuild_links(body, fluid);
@@ -165,10 +166,10 @@ void move(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const&
 
 template Sharp<float> make_sharp(lbm::Fluid<float>&, lbm::Walls const&,
                                  std::vector<lbm::WallHit> const&, structure::Membrane const&,
-                                 double, bool);
+                                 double, bool, SeatGapCells const&);
 template Sharp<double> make_sharp(lbm::Fluid<double>&, lbm::Walls const&,
                                   std::vector<lbm::WallHit> const&, structure::Membrane const&,
-                                  double, bool);
+                                  double, bool, SeatGapCells const&);
 template void feel(Sharp<float>&, lbm::Fluid<float>&, structure::Membrane const&);
 template void feel(Sharp<double>&, lbm::Fluid<double>&, structure::Membrane const&);
 template void impose(Sharp<float>&, lbm::Fluid<float>&, Eigen::VectorXd const&, Ledger&);

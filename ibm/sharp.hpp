@@ -28,7 +28,11 @@ struct Sharp {
   Cells cells;
   double divide = 0;  // radius that parts up- from downstream under the membrane
 
-  lbm::LinkList resting;    // rigid walls and films
+  lbm::LinkList resting;  // rigid walls and films
+  /// Links from fluid into the gap, where it is left to a law: outside the dividing radius and
+  /// within; and their area across the radius, sum of 6 w |c_y| ring with the sign of the side.
+  lbm::LinkList gap_edge[2];
+  double gap_area[2] = {0, 0};
   lbm::LinkList cut_links;  // same order as cut
   std::vector<lbm::Link> cut_host;
   std::vector<CutLink> cut;
@@ -43,7 +47,8 @@ struct Sharp {
 template <class Real>
 Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
                        std::vector<lbm::WallHit> const& wall_hits,
-                       structure::Membrane const& membrane, double divide, bool dry_plus = false);
+                       structure::Membrane const& membrane, double divide, bool dry_plus = false,
+                       SeatGapCells const& gap = {});
 
 /// Force of the fluid on the nodes were the membrane at rest, F0, and the block Z by which it falls
 /// with the velocity. Per link, momentum exchange relative to the rest density:

@@ -139,7 +139,7 @@ void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
   Cells const& cells = body.cells;
   body.cut.clear();
   body.cut_host.clear();
-  std::vector<lbm::Link> resting;
+  std::vector<lbm::Link> resting, edge[2];
   for (lbm::WallHit const& h : body.wall_hits) {
     if (!is_fluid(cells.at(h.i, h.j))) continue;
     if (label_beyond(body, fluid, h) != cells.labels.at(h.i, h.j)) {
@@ -161,7 +161,11 @@ void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
         if (n.i < 0) continue;
         std::uint8_t const other = cells.at(n.i, n.j);
         if (other == own || other == wall) continue;
-        if (other == film && cells.labels.at(n.i, n.j) == cells.labels.at(i, j))
+        bool const same_label = cells.labels.at(n.i, n.j) == cells.labels.at(i, j);
+        if (other == gap && same_label)
+          edge[fluid.origin[1] + j + 0.5 < body.divide ? 1 : 0].push_back(
+              link(body, fluid, i, j, dir, 0.5));
+        else if (other == film && same_label)
           resting.push_back(link(body, fluid, i, j, dir, 0.5));
         else
           add_cut(body, fluid, i, j, dir, find_hit(body, i, j, dir));
@@ -170,6 +174,13 @@ void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
   }
   round_wedges(body, resting);
   lbm::upload(body.resting, resting);
+  for (int side : {0, 1}) {
+    body.gap_area[side] = 0;
+    for (lbm::Link const& l : edge[side])
+      body.gap_area[side] += (side == 0 ? -1 : 1) * 6 * D2Q9::w(l.dir) * D2Q9::cy(l.dir) *
+                             lbm::link_ring(fluid.symmetry, fluid.origin[1] + l.j + 0.5, l.dir);
+    lbm::upload(body.gap_edge[side], edge[side]);
+  }
   upload_cuts(body);
   mark_active(body, fluid);
 }

@@ -5,14 +5,47 @@
 
 namespace velum::ibm {
 
+/// The edges of the gap as the lattice has them now become the links of their openings.
+template <class Real>
+void tie_gap(Coupled<Real, Sharp>& s)
+{
+  if (!s.chambers || !s.chambers->gap) return;
+  for (int side : {0, 1}) {
+    lbm::Opening& o = s.openings[s.chambers->gap->opening[side]];
+    o.links = s.body.gap_edge[side];
+    o.area = s.body.gap_area[side];
+  }
+}
+
+template <class Real, template <class> class Body>
+void tie_gap(Coupled<Real, Body>&)
+{
+}
+
 /// Walls at rest and openings write what they send back.
 template <class Real, template <class> class Body>
 void apply_boundaries(Coupled<Real, Body>& s)
 {
+  tie_gap(s);
   lbm::fill_ghosts(s.fluid);
   lbm::bounce_back(s.fluid, s.body.resting, {});
   for (std::size_t k = 0; k < s.openings.size(); ++k)
-    lbm::apply(s.fluid, s.openings[k], s.targets[k]);
+    if (s.openings[k].area > 0) lbm::apply(s.fluid, s.openings[k], s.targets[k]);
+}
+
+/// Where the minus face has a film instead of fluid, and how its pressure falls.
+template <class Real>
+Film film_of(Coupled<Real, Sharp> const& s)
+{
+  Film film{s.walls, {}, film_closes, {}};
+  if (!s.chambers || !s.chambers->gap || s.body.cells.gap_width == 0) return film;
+  auto const& c = *s.chambers;
+  film.seat = s.seat->contact.obstacle;
+  film.seat_width = s.body.cells.gap_width;
+  if (!c.gap->gap.friction.empty())
+    film.outside_share = outside_share(
+        c.gap->gap, c.network.passages[static_cast<std::size_t>(c.gap->passage)].flow);
+  return film;
 }
 
 /// Adds the load of what the links of a sharp body do not feel: films, and faces between the links.
@@ -20,7 +53,7 @@ template <class Real>
 void complete(Coupled<Real, Sharp>& s)
 {
   complete_load(
-      s.pressure, s.body.exchange, s.body.surface, s.walls, s.fluid.symmetry,
+      s.pressure, s.body.exchange, s.body.surface, film_of(s), s.fluid.symmetry,
       s.seat ? contact::contact_patch(s.seat->contact, s.seat->markers) : contact::Patch{});
 }
 
@@ -61,11 +94,14 @@ Eigen::VectorXd advance(Coupled<Real, Body>& s)
       e.force.segment<2>(k) -= e.block[a] * velocity.segment<2>(k);
     }
   }
-  if (s.chambers) begin_step(*s.chambers, s.openings, s.membrane);
+  if (s.chambers) begin_step(*s.chambers, s.openings, s.membrane, s.seat.get());
   auto const& mean = take_step(s, e.force,
                                carries_block ? std::span<Eigen::Matrix2d const>(e.block)
                                              : std::span<Eigen::Matrix2d const>());
-  if (s.chambers) end_step(*s.chambers, s.openings, s.targets, mean);
+  if (s.chambers) {
+    end_step(*s.chambers, s.openings, s.targets, mean);
+    if (s.chambers->gap) s.ledger.seat += gap_flow(*s.chambers);
+  }
   if (carries_block || s.one_way) velocity = mean;
   s.membrane_seconds += timer.seconds();
   return velocity;

@@ -33,6 +33,14 @@ std::string les_in_words(Scene const& scene, double smagorinsky)
                      smagorinsky);
 }
 
+std::string gap_law_in_words(GapSection const& gap)
+{
+  return fmt::format(
+      "a closure: lubrication and the velocity head over Cd^2, Cd {:.3g}, at the narrowest place; "
+      "sealed below {:.3g} um; its pressure acts on the membrane",
+      gap.discharge, 1e6 * gap.seals_at);
+}
+
 std::string orifice_in_words(OrificeSection const& o)
 {
   std::string text = fmt::format("from {} to {}: {:.4g} mm2, Cd {:.3g} / sqrt(1 + {:.3g} / Re)",
@@ -79,11 +87,7 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
   if (scene.fidelity == Fidelity::lumped) {
     a["time step"] = fmt::format("{:.4g} s", d.units.dt);
     a["compressibility"] = "none below the membrane; that of the chambers";
-    a["gap"] = fmt::format(
-        "lubrication and the velocity head over {:.3g}^2 (Cd) at its narrowest; sealed below "
-        "{:.3g} "
-        "um; a film as wide as the contact carries the lip's pressure",
-        scene.gap.discharge, 1e6 * scene.gap.seals_at);
+    a["gap"] = gap_law_in_words(scene.gap);
   } else if (scene.fidelity != Fidelity::hydrostatic) {
     a["time step"] =
         fmt::format("{:.4g} s, from Mach {:.3g} at {:.4g} m/s", d.units.dt, d.mach, d.velocity);
@@ -95,8 +99,11 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
                     word(scene.lattice.stencil), d.tau_minus_half, word(scene.lattice.precision));
     a["les"] = les_in_words(scene, smagorinsky);
     if (scene.membrane)
-      a["gap"] =
-          "resolved down to half a cell; below that a film that carries pressure and no flow";
+      a["gap"] = scene.gap.cells > 0
+                     ? fmt::format("resolved down to {:.3g} cells; below that {}", scene.gap.cells,
+                                   gap_law_in_words(scene.gap))
+                     : "resolved down to half a cell; below that a film that carries pressure and "
+                       "no flow";
     if (symmetry(scene) != core::Symmetry::none)
       a["axial symmetry"] = symmetry(scene) == core::Symmetry::axisymmetric
                                 ? "no swirl; eddies are rings, so LES is damping and no more"

@@ -43,7 +43,8 @@ std::vector<core::Column> columns(Scene const& scene)
                                  {"speed_max", "m/s"},
                                  {"sealed", "1"},
                                  {"gap", "m"},
-                                 {"flow", "m3/s"}};
+                                 {"flow", "m3/s"},
+                                 {"gap_by_law", "1"}};
   auto const more = network_columns(scene);
   c.insert(c.end(), more.begin(), more.end());
   return c;
@@ -65,7 +66,8 @@ std::vector<double> row(Measurement const& m)
                            m.speed_max,
                            m.sealed ? 1.0 : 0.0,
                            m.gap,
-                           m.flow};
+                           m.flow,
+                           m.gap_by_law};
   r.insert(r.end(), m.network.begin(), m.network.end());
   return r;
 }

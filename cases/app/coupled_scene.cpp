@@ -7,18 +7,49 @@ namespace velum::cases {
 
 namespace {
 
+ibm::SeatGapCells seat_gap_cells(Scene const& scene, HydrostaticScene const& start)
+{
+  if (scene.gap.cells == 0 || !start.seat) return {};
+  return {start.seat->contact.obstacle, scene.gap.cells};
+}
+
 template <class Real>
 auto make_body(std::type_identity<ibm::Sharp<Real>>, LatticeScene<Real>& l,
-               structure::Membrane const& membrane, double divide, bool dry_plus)
+               structure::Membrane const& membrane, double divide, bool dry_plus,
+               ibm::SeatGapCells const& gap)
 {
-  return ibm::make_sharp(l.fluid, l.walls, l.wall_hits, membrane, divide, dry_plus);
+  return ibm::make_sharp(l.fluid, l.walls, l.wall_hits, membrane, divide, dry_plus, gap);
 }
 
 template <class Real>
 auto make_body(std::type_identity<ibm::Diffuse<Real>>, LatticeScene<Real>& l,
-               structure::Membrane const& membrane, double divide, bool)
+               structure::Membrane const& membrane, double divide, bool, ibm::SeatGapCells const&)
 {
   return ibm::make_diffuse(l.fluid, l.walls, l.wall_hits, membrane, divide);
+}
+
+/// The passage that stands for the gap of the seat, and the openings at its edges.
+template <class Real, template <class> class Body>
+void add_gap(CoupledScene<Real, Body>& s, Scene const& scene, ibm::Chambers& c)
+{
+  ibm::GapFlow gap{
+      {{1, s.derived.viscosity}, scene.gap.discharge, scene.gap.seals_at / s.derived.units.dx},
+      static_cast<int>(c.network.passages.size()),
+      {}};
+  auto const first = static_cast<int>(c.network.ports.size());
+  for (int side : {0, 1}) {
+    lbm::Opening edge;
+    edge.kind = lbm::OpeningKind::flow_rate;
+    edge.normal = {0, side == 0 ? 1.0 : -1.0, 0};
+    gap.opening[side] = s.state.openings.size();
+    s.state.openings.push_back(edge);
+    s.boundary.push_back("");
+    c.ports.push_back({{gap.opening[side]}, first + side});
+    c.network.ports.push_back({});
+  }
+  auto const node = static_cast<int>(c.network.chambers.size()) + first;
+  c.network.passages.push_back({node, node + 1, std::nullopt});
+  c.gap = gap;
 }
 
 /// The network of the scene, its ports tied to the openings of their boundaries.
@@ -26,7 +57,9 @@ template <class Real, template <class> class Body>
 void add_chambers(CoupledScene<Real, Body>& s, Scene const& scene)
 {
   auto made = make_network(scene, s.derived);
-  ibm::Chambers c{std::move(made.network), made.key.above, {}, {}, {}, {}};
+  ibm::Chambers c;
+  c.network = std::move(made.network);
+  c.above = made.key.above;
   s.key = std::move(made.key);
   for (std::size_t b = 0; b < scene.boundaries.size(); ++b) {
     if (scene.boundaries[b].kind != BoundaryKind::port) continue;
@@ -35,6 +68,7 @@ void add_chambers(CoupledScene<Real, Body>& s, Scene const& scene)
       if (s.boundary[k] == scene.boundaries[b].name) port.openings.push_back(k);
     c.ports.push_back(std::move(port));
   }
+  if (scene.gap.cells > 0) add_gap(s, scene, c);
   c.volume.resize(c.network.chambers.size(), 0);
   fill(c.network, c.volume);
   s.state.chambers = std::move(c);
@@ -87,7 +121,8 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   auto& state = s.state;
   state.membrane = hydrostatic.membrane;
   state.body = make_body(std::type_identity<Body<Real>>{}, lattice, state.membrane, s.divide,
-                         find_chamber(scene, ChamberSide::above) != nullptr);
+                         find_chamber(scene, ChamberSide::above) != nullptr,
+                         seat_gap_cells(scene, hydrostatic));
   state.fluid = lattice.fluid;
   state.loads = hydrostatic.loads;
   state.seat = hydrostatic.seat;
@@ -108,7 +143,7 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
     state.openings.push_back(o.opening);
     s.boundary.push_back(o.boundary);
   }
-  if (!scene.chambers.empty()) add_chambers(s, scene);
+  if (!scene.chambers.empty() || scene.gap.cells > 0) add_chambers(s, scene);
   set_targets(s, scene, 0, false);
   // the state at rest carries the targets already: the controls have nothing to correct yet
   for (std::size_t k = 0; k < state.openings.size(); ++k)
@@ -123,8 +158,9 @@ void set_targets(CoupledScene<Real, Body>& s, Scene const& scene, double time, b
 {
   s.state.targets.resize(s.state.openings.size());
   for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
+    if (s.boundary[k].empty()) continue;  // an edge of the gap
     Boundary const& boundary = *find_boundary(scene, s.boundary[k]);
-    if (boundary.kind == BoundaryKind::port) continue;  // the network's own
+    if (boundary.kind == BoundaryKind::port) continue;  // both are the network's own
     s.state.targets[k] = lattice_target(scene, s.derived, boundary, time);
     if (shut && boundary.name == "inlet") {
       s.state.openings[k].kind = lbm::OpeningKind::velocity;

@@ -52,10 +52,10 @@ void exchange_chambers(core::StateFile& file, ibm::Chambers& c)
 void exchange_sums(core::StateFile& file, ibm::Ledger& l, Flows& f)
 {
   double values[] = {l.swept_up, l.swept_down, l.membrane_up, l.membrane_down, l.seat,
-                     f.out,      f.in,         f.recent,      f.steps};
+                     f.out,      f.in,         f.recent,      f.steps,         f.by_law};
   file.field("sums", values, std::size(values));
   l = {values[0], values[1], values[2], values[3], values[4]};
-  f = {values[5], values[6], values[7], values[8]};
+  f = {values[5], values[6], values[7], values[8], values[9]};
 }
 
 template <class Real>

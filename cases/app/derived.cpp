@@ -130,7 +130,7 @@ std::optional<structure::TimeScheme> asked_scheme(Scene const& scene)
 
 bool carries_chambers(Scene const& scene)
 {
-  return !scene.chambers.empty() || scene.fidelity == Fidelity::lumped;
+  return !scene.chambers.empty() || scene.gap.cells > 0 || scene.fidelity == Fidelity::lumped;
 }
 
 /// Square of the angular frequency of the lightest part of the membrane on the seat's penalty.

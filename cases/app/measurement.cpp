@@ -60,6 +60,7 @@ void add_flows(Flows& flows, CoupledScene<Real, Body> const& s)
   if (s.state.chambers)
     flows.recent +=
         s.state.chambers->network.ports[static_cast<std::size_t>(find_port(s.key, "outlet"))].flow;
+  if (s.state.chambers && ibm::passes(*s.state.chambers)) flows.by_law += 1;
   flows.steps += 1;
 }
 
@@ -101,7 +102,8 @@ Measurement measure(CoupledScene<Real, Body> const& s, Scene const& scene, Flows
   m.through_membrane = volume(s.state.ledger.membrane_down);
   m.sealed = is_sealed(s);
   m.flow = flows.steps > 0 ? core::to_si_flow_rate(units, symmetry, flows.recent / flows.steps) : 0;
-  flows.recent = flows.steps = 0;
+  m.gap_by_law = flows.steps > 0 ? flows.by_law / flows.steps : 0;
+  flows.recent = flows.steps = flows.by_law = 0;
   if (chambers) m.network = network_row(chambers->network, s.key, scene, s.derived, time);
   return m;
 }

@@ -15,9 +15,10 @@ struct Measurement {
   double mass_inside = 0;    // of fluid there, density times volume
   double centre = 0;         // axial place of the membrane's middle
   double penetration = 0, seat_force = 0;
-  double gap = 0;   // the narrowest between membrane and seat; below 0 where they touch
-  double flow = 0;  // out of the outlet, with what orifices bring there, m3/s: mean since
-                    // the last measurement
+  double gap = 0;         // the narrowest between membrane and seat; below 0 where they touch
+  double flow = 0;        // out of the outlet, with what orifices bring there, m3/s: mean since
+                          // the last measurement
+  double gap_by_law = 0;  // share of these steps in which the gap's flow came from its law
   std::vector<double> network;  // what network_columns() names
   double speed_max = 0;         // of the fluid
   double density_error = 0;     // largest |rho - rho0| / rho0
@@ -31,6 +32,7 @@ struct Measurement {
 struct Flows {
   double out = 0, in = 0;        // through the lattice's own openings
   double recent = 0, steps = 0;  // out of the outlet since the last measurement
+  double by_law = 0;             // of these steps
 };
 template <class Real, template <class> class Body>
 void add_flows(Flows& flows, CoupledScene<Real, Body> const& s);

@@ -47,8 +47,9 @@ PilotMembrane read_pilot(SceneTable table, LiftedSeat const& seat)
 
 GapSection read_gap(SceneTable table)
 {
-  table.allow({"discharge", "seals_at", "inlet_length", "outlet_length"});
+  table.allow({"cells", "discharge", "seals_at", "inlet_length", "outlet_length"});
   GapSection gap;
+  gap.cells = table.number("cells", 4);
   gap.discharge = coefficient(table, "discharge", gap.discharge);
   gap.seals_at = table.quantity("seals_at", Dimension::length, Sign::positive, gap.seals_at);
   gap.inlet_length = table.quantity("inlet_length", Dimension::length, Sign::not_negative, 0.0);

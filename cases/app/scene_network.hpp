@@ -46,9 +46,10 @@ struct OrificeSection {
   std::optional<PilotMembrane> member{};
 };
 
-/// Closure of the membrane's own seat where no lattice resolves it, and the columns of liquid
-/// between it and the openings.
+/// Closure of the membrane's own seat where no lattice resolves it, and, without a lattice, the
+/// columns of liquid between it and the openings.
 struct GapSection {
+  double cells = 0;  // below this width a lattice leaves the gap to the closure; 0: resolves it
   double discharge = 0.7;
   double seals_at = 1e-6;
   double inlet_length = 0, outlet_length = 0;

@@ -86,6 +86,10 @@ void check_network(Scene const& scene)
                                         {find_boundary(scene, "outlet") != nullptr, "an outlet"}})
       if (!present)
         reject(scene, "fidelity", fmt::format("= \"lumped\" needs {}; the scene has none.", name));
+  if (scene.gap.cells > 0 && !scene.contact)
+    reject(scene, "gap", "closes the gap of a seat; the scene has no contact.");
+  if (scene.gap.cells > 0 && scene.coupling.method == CouplingMethod::diffuse)
+    reject(scene, "gap", "needs coupling.method = \"sharp\".");
   check_ports(scene);
   if (scene.chambers.empty() && scene.orifices.empty()) return;
   std::string const first = scene.chambers.empty() ? "orifice" : "chamber";

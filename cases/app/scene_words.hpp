@@ -82,9 +82,9 @@ inline Words<Operation> words(Operation)
 }
 inline Words<BoundaryKind> words(BoundaryKind)
 {
-  return {{"traction", BoundaryKind::traction}, {"pressure", BoundaryKind::pressure},
-          {"velocity", BoundaryKind::velocity}, {"flow_rate", BoundaryKind::flow_rate},
-          {"outflow", BoundaryKind::outflow},   {"port", BoundaryKind::port},
+  return {{"traction", BoundaryKind::traction},      {"pressure", BoundaryKind::pressure},
+          {"velocity", BoundaryKind::velocity},      {"flow_rate", BoundaryKind::flow_rate},
+          {"outflow", BoundaryKind::outflow},        {"port", BoundaryKind::port},
           {"moving_wall", BoundaryKind::moving_wall}};
 }
 inline Words<ChamberSide> words(ChamberSide)

@@ -9,12 +9,14 @@ namespace velum::cases {
 template <class Real>
 bool is_sealed(CoupledScene<Real, ibm::Sharp> const& s)
 {
+  if (s.state.chambers && ibm::passes(*s.state.chambers)) return false;
   auto const& fluid = s.state.fluid;
   auto const regions = ibm::connected_regions(fluid, s.state.body.cells);
   std::vector<int> inlets, outlets;
   for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
     auto const& list = s.state.openings[k].links;
     auto const links = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), list.links);
+    if (s.boundary[k] != "inlet" && s.boundary[k] != "outlet") continue;
     for (int l = 0; l < list.size; ++l)
       (s.boundary[k] == "inlet" ? inlets : outlets)
           .push_back(regions.of[static_cast<std::size_t>(links(l).j * fluid.nx + links(l).i)]);
