@@ -21,7 +21,9 @@ void set_gap(Chambers& c, std::vector<lbm::Opening> const& openings, SeatContact
   GapFlow& g = *c.gap;
   g.gap = seat_gap(g.law, seat, symmetry);
   bool const edges = openings[g.opening[0]].area > 0 && openings[g.opening[1]].area > 0;
-  c.network.passages[static_cast<std::size_t>(g.passage)].loss = edges ? g.gap.loss : std::nullopt;
+  Passage& passage = c.network.passages[static_cast<std::size_t>(g.passage)];
+  passage.loss = edges ? g.gap.loss : std::nullopt;
+  passage.inertance = g.gap.inertance;
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ double gap_flow(Chambers const& c)
   return c.network.passages[static_cast<std::size_t>(c.gap->passage)].flow;
 }
 
-void begin_step(Chambers& c, std::vector<lbm::Opening> const& openings,
+void begin_step(Chambers& c, std::vector<lbm::Opening>& openings,
                 structure::Membrane const& membrane, SeatContact const* seat)
 {
   if (c.gap) set_gap(c, openings, *seat, membrane.symmetry);
@@ -45,8 +47,11 @@ void begin_step(Chambers& c, std::vector<lbm::Opening> const& openings,
     double const area = area_of(p, openings);
     if (area <= 0) continue;
     port.pressure = 0;
-    for (std::size_t k : p.openings)
-      port.pressure += openings[k].traction * openings[k].area / area;
+    for (std::size_t k : p.openings) {
+      lbm::Opening& o = openings[k];
+      port.pressure += (o.traction + o.last_traction) / 2 * o.area / area;
+      o.last_traction = o.traction;
+    }
     port.impedance = sound / area;
     port.at_flow = port.flow;
   }

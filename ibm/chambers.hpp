@@ -43,11 +43,12 @@ bool passes(Chambers const& c);
 /// @pre there is a gap flow
 double gap_flow(Chambers const& c);
 
-/// Before the membrane's step: the ports take the pressure that the openings measured, and what the
+/// Before the membrane's step: the ports take the pressure that the openings measured, the mean of
+/// two steps (at the lattice's own period of two its answer to velocity is too large), and what the
 /// membrane will feel of the chambers is made ready. A port's impedance is that of a plane wave
 /// into the lattice, rho c / area.
 /// @param seat  looked at where there is a gap flow
-void begin_step(Chambers& c, std::vector<lbm::Opening> const& openings,
+void begin_step(Chambers& c, std::vector<lbm::Opening>& openings,
                 structure::Membrane const& membrane, SeatContact const* seat);
 
 /// After it: flows, contents and pressures of the chambers; the openings of the ports are given the

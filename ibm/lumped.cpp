@@ -41,7 +41,9 @@ void locate(Lumped& s)
 {
   press(*s.seat, s.membrane.position);
   s.gap = seat_gap(s.law, *s.seat, s.membrane.symmetry);
-  s.network.passages[static_cast<std::size_t>(s.gap_passage)].loss = s.gap.loss;
+  Passage& passage = s.network.passages[static_cast<std::size_t>(s.gap_passage)];
+  passage.loss = s.gap.loss;
+  passage.inertance = s.gap.inertance;
   s.volume.resize(s.network.chambers.size(), 0);
 }
 

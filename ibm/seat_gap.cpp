@@ -27,10 +27,13 @@ SeatGap seat_gap(GapLaw const& law, SeatContact const& seat, core::Symmetry symm
   section = across(static_cast<std::size_t>(gap.narrowest));
 
   double viscous = 0;
+  gap.inertance = 0;
   for (std::size_t a = 0; a < n; ++a) {
     if (a > 0) {
       double const length = std::hypot(m.X[a][0] - m.X[a - 1][0], m.X[a][1] - m.X[a - 1][1]);
       double const ring = core::ring(symmetry, (m.X[a][1] + m.X[a - 1][1]) / 2);
+      if (g[a - 1] + g[a] < 20 * g[static_cast<std::size_t>(gap.narrowest)])
+        gap.inertance += 2 * law.liquid.density * length / (ring * (g[a - 1] + g[a]));
       // int ds / g^3 of a gap linear along the element
       viscous += 6 * law.liquid.density * law.liquid.viscosity * length / ring * (g[a - 1] + g[a]) /
                  (g[a - 1] * g[a - 1] * g[a] * g[a]);

@@ -19,6 +19,7 @@ struct SeatGap {
   double least;                  ///< narrowest gap; 0 or less in contact
   int narrowest;                 ///< its node
   std::optional<Loss> loss;      ///< of a flow through it; empty: sealed
+  double inertance;              ///< rho int ds / (2 pi r g) where g is below ten times the least
   std::vector<double> friction;  ///< share of the viscous loss at smaller radii than the node's [N]
   std::vector<double> narrowness;  ///< (least section / section at the node)^2                  [N]
 };

@@ -44,18 +44,20 @@ void add_cut(Sharp<Real>& body, lbm::Fluid<Real> const& fluid, int i, int j, int
                       side == fluid_minus && y < body.divide, false});
 }
 
-/// Sites of row j that may have a neighbour across the membrane: from two below the lowest crossing
-/// of this row and its neighbours to two above the highest.
+/// Sites of row j that may have a neighbour across the membrane, or in the gap below it: from two,
+/// and the width of the gap, below the lowest crossing of this row and its neighbours to two above
+/// the highest.
 struct Band {
   int first, last;
 };
-Band band(Labels const& labels, int j)
+Band band(Labels const& labels, double gap_width, int j)
 {
+  int const below = 2 + static_cast<int>(std::ceil(gap_width > 0 ? gap_width + 1 : 0));
   Band b{labels.nx, -1};
   for (int r = std::max(0, j - 1); r <= std::min(labels.ny - 1, j + 1); ++r)
     for (auto const* rows : {&labels.plus, &labels.minus})
       for (int site : (*rows)[static_cast<std::size_t>(r)]) {
-        b.first = std::min(b.first, site - 2);
+        b.first = std::min(b.first, site - below);
         b.last = std::max(b.last, site + 2);
       }
   return {std::max(b.first, 0), std::min(b.last, labels.nx - 1)};
@@ -152,7 +154,7 @@ void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
     resting.push_back(link(body, fluid, h.i, h.j, h.dir, h.q));
   }
   for (int j = 0; j < fluid.ny; ++j) {
-    Band const b = band(cells.labels, j);
+    Band const b = band(cells.labels, cells.gap_width, j);
     for (int i = b.first; i <= b.last; ++i) {
       std::uint8_t const own = cells.at(i, j);
       if (!is_fluid(own)) continue;
