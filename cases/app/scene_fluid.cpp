@@ -148,7 +148,7 @@ Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmet
       kind == BoundaryKind::port;  // its flow is that of the orifices which end there
   std::string const key = has_pressure ? "pressure" : has_velocity ? "velocity" : word(kind);
   std::vector<std::string> keys{"kind", "patches"};
-  if (!is_port) keys.push_back(key);
+  if (!is_port) keys.insert(keys.begin() + 1, key);
   bool const has_profile = kind == BoundaryKind::traction || kind == BoundaryKind::velocity ||
                            kind == BoundaryKind::flow_rate;
   if (has_profile) keys.push_back("profile");
