@@ -16,7 +16,8 @@ using Complex = std::complex<double>;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_samples = 32, candidates = 8;
 constexpr double samples_per_period = 5, periods_in_record = 2;
-constexpr double band = 0.2;        // of a frequency, to either side
+constexpr double band = 0.2;  // of a frequency, to either side of it and its harmonics
+constexpr double harmonics = 3;
 constexpr double swing_from = 0.3;  // of the amplitude: what counts as a turn of the swing
 constexpr double begun_cycles = 2;  // that tell an oscillation from a transient
 
@@ -98,12 +99,15 @@ double count_cycles(Swing const& s, Span span)
   return std::max(0, turns - 1) / 2.0;
 }
 
+/// Share of the power that lies beside a frequency and its first harmonics: a gap that strikes its
+/// seat is no sine.
 double share_near(Spectrum const& spectrum, double frequency)
 {
   double near = 0, all = 0;
   for (std::size_t k = 0; k < spectrum.power.size(); ++k) {
+    double const order = spectrum.step * double(k) / frequency, nearest = std::round(order);
     all += spectrum.power[k];
-    if (std::abs(spectrum.step * double(k) - frequency) <= band * frequency)
+    if (nearest >= 1 && nearest <= harmonics && std::abs(order - nearest) <= band)
       near += spectrum.power[k];
   }
   return all > 0 ? near / all : 0;
@@ -174,7 +178,9 @@ std::optional<Found> examine(EvenSignal const& gap, double frequency, ChatterRul
     if (pass == 1) {
       double const cycles = count_cycles(swing, span);
       double const expected = frequency * gap.step * double(span.end - span.begin);
-      if (share_near(spectrum, corrected) < rule.share || cycles < 0.7 * expected) return {};
+      // A few cycles have no sharp line.
+      double const needed = cycles < rule.fewest_cycles ? rule.share / 2 : rule.share;
+      if (share_near(spectrum, corrected) < needed || cycles < 0.7 * expected) return {};
       return Found{corrected, cycles, swing, span};
     }
     frequency = corrected;

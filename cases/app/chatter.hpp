@@ -17,8 +17,9 @@ struct ChatterSignals {
 
 /// What counts as an oscillation.
 struct ChatterRule {
-  double threshold = 1e-6;     // m: amplitude about the slow mean from which on it counts
-  double share = 0.4;          // of the swing's power, at least, within 20 % of one frequency
+  double threshold = 1e-6;  // m: amplitude about the slow mean from which on it counts
+  double share = 0.8;       // of the swing's power, at least, within a fifth of one frequency about
+                            // it and its first harmonics
   double fewest_cycles = 4;    // that it lasts
   double steady_change = 0.1;  // of the amplitude over the later half, at most, in a limit cycle
 };
