@@ -14,6 +14,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double final_share = 0.1;    // of the time, at its end
 constexpr double chamber_band = 0.05;  // of the final pressure
 constexpr double lift_begins = 0.01;   // of its whole rise
+constexpr double lift_rests = 1e-6;    // of its whole rise
 constexpr double bar = 1e5, water = 1000, hour = 3600;
 constexpr double inch = 25.4e-3, psi = 6894.76, millilitre_per_minute = 1e-6 / 60;
 constexpr double class_v = 5e-4 * millilitre_per_minute / (inch * psi);  // m3/s per m and Pa
@@ -31,7 +32,8 @@ double first_above(std::vector<double> const& time, std::vector<double> const& v
   return unknown;
 }
 
-double first_rise_of_a_lift(History const& history)
+/// Time at which the first of the lifts has risen by more than a share of its whole rise.
+double first_rise(History const& history, double share)
 {
   double first = unknown;
   for (auto const& column : history.columns) {
@@ -39,7 +41,7 @@ double first_rise_of_a_lift(History const& history)
     auto const lift = history.column(column.name);
     double const whole = *std::max_element(lift.begin(), lift.end()) - lift.front();
     if (whole <= 0) continue;
-    first = std::fmin(first, first_above(history.time, lift, lift.front() + lift_begins * whole));
+    first = std::fmin(first, first_above(history.time, lift, lift.front() + share * whole));
   }
   return first;
 }
@@ -56,16 +58,17 @@ double settles(std::vector<double> const& time, std::vector<double> const& value
   return std::lerp(time[k - 1], time[k], off(k - 1) / (off(k - 1) - off(k)));
 }
 
-/// Rows in which the valve is shut, before the pilot opens.
+/// Rows in which the valve is shut, while the pilot has not moved.
 struct Shut {
   std::vector<double> time, flow;
 };
 Shut shut_rows(History const& history, ValveFacts const& facts, double pilot_opens)
 {
+  double const moves = std::fmin(pilot_opens, first_rise(history, lift_rests));
   auto const gap = history.column("gap"), flow = history.column("flow");
   Shut shut;
   for (std::size_t k = 0; k < gap.size() && gap[k] <= facts.seals_at; ++k) {
-    if (history.time[k] > pilot_opens) break;  // never where it is not a number
+    if (history.time[k] > moves) break;  // never where it is not a number
     shut.time.push_back(history.time[k]);
     shut.flow.push_back(flow[k]);
   }
@@ -97,7 +100,7 @@ ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
   };
 
   ValveSheet s;
-  s.pilot_opens = facts.pilot_opens.value_or(first_rise_of_a_lift(history));
+  s.pilot_opens = facts.pilot_opens.value_or(first_rise(history, lift_begins));
   double const start = std::isnan(s.pilot_opens) ? time.front() : s.pilot_opens;
   s.opens = first_above(time, gap, facts.seals_at);
   s.chamber_final = final_of(chamber);

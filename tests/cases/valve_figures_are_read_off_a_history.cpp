@@ -37,7 +37,10 @@ cases::History history(double end = 0.15, double leak = 0)
     double const opened = t < 0.012 ? 0 : 1 - std::exp(-(t - 0.012) / tau);
     h.time.push_back(t);
     h.rows.push_back({300e3 - 140e3 * fallen, 300e3, -20e3 * opened, -2e-6 + 102e-6 * opened,
-                      opened > 0 ? open_flow * opened : leak, 1e-4, 4e-4 * lift});
+                      opened > 0 ? open_flow * opened
+                      : lift > 0 ? 8e-6
+                                 : leak,
+                      1e-4, 4e-4 * lift});
   }
   return h;
 }
