@@ -13,6 +13,7 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double final_share = 0.1;    // of the time, at its end
 constexpr double chamber_band = 0.05;  // of the final pressure
+constexpr double least_rise = 0.05;    // of the largest flow, for a flow to rise at all
 constexpr double lift_begins = 0.01;   // of its whole rise
 constexpr double lift_rests = 1e-6;    // of its whole rise
 constexpr double bar = 1e5, water = 1000, hour = 3600;
@@ -104,15 +105,16 @@ ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
   double const start = std::isnan(s.pilot_opens) ? time.front() : s.pilot_opens;
   s.opens = first_above(time, gap, facts.seals_at);
   s.chamber_final = final_of(chamber);
-  s.chamber_time = std::fdim(
-      settles(time, chamber, s.chamber_final, chamber_band * std::abs(s.chamber_final)), start);
+  double const band = chamber_band * std::abs(s.chamber_final);
+  s.chamber_time = std::fdim(settles(time, chamber, s.chamber_final, band), s.pilot_opens);
   s.flow_final = final_of(flow);
   auto const most = std::max_element(flow.begin(), flow.end());
   s.flow_largest = *most;
   double const before = at_time(time, flow, start), rise = s.flow_final - before;
-  s.flow_rise = rise > 0 ? first_above(time, flow, before + 0.9 * rise, start) -
-                               first_above(time, flow, before + 0.1 * rise, start)
-                         : unknown;
+  s.flow_rise = rise > least_rise * s.flow_largest
+                    ? first_above(time, flow, before + 0.9 * rise, start) -
+                          first_above(time, flow, before + 0.1 * rise, start)
+                    : unknown;
   s.gap_final = final_of(gap);
   s.gap_largest = *std::max_element(gap.begin(), gap.end());
 

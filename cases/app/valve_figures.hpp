@@ -27,7 +27,7 @@ struct ValveSheet {
   double pilot_opens;     // s: a lift begins to rise (by a hundredth of its whole rise)
   double opens;           // s: the gap first exceeds seals_at
   double chamber_final;   // pressure above the membrane, Pa
-  double chamber_time;    // s from pilot_opens (or the start) until it stays within 5 % of that
+  double chamber_time;    // s from pilot_opens until it stays within 5 % of that
   double flow_final;      // out of the valve, with the pilot's share, m3/s
   double flow_largest;    // m3/s
   double flow_rise;       // s from 10 to 90 % of the way to the final flow, at first passage

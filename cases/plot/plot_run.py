@@ -44,7 +44,8 @@ def main() -> None:
               ("What oscillates", "spectrum.png", draw_spectrum, valve),
               ("Shape of the membrane", "profiles.png", draw_profiles,
                fields or has_profiles(run)),
-              ("Sections", "sections.png", draw_sections, fields),
+              ("Sections: dark the membrane, grey walls and what a gap leaves to its closure",
+               "sections.png", draw_sections, fields),
               ("At the seat", "seat.png", draw_seat, fields and valve)]
     pictures = []
     for caption, name, draw, there in wanted:

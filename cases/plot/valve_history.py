@@ -33,13 +33,17 @@ def columns_of(wanted: dict[str, str], data: dict[str, np.ndarray]) -> dict[str,
 
 
 def panels_of(data: dict[str, np.ndarray], unit: dict[str, str]) -> list[tuple[str, dict[str, str]]]:
-    """Title and columns of each panel: a valve's own, or one for each unit."""
+    """Title and columns of each panel: a valve's own, or one for each unit, without what is always
+    zero."""
     if "gap" in data:
         panels = [(title, columns_of(wanted, data)) for title, wanted in VALVE]
         return [panel for panel in panels if panel[1]]
-    first, *others = data
-    kinds = dict.fromkeys(unit[name] for name in others)
-    return [("", {n: n.replace("_", " ") for n in others if unit[n] == kind}) for kind in kinds]
+    others = [name for name in list(data)[1:] if np.any(np.nan_to_num(data[name]))]
+    panels = []
+    for kind in dict.fromkeys(unit[name] for name in others):
+        columns = {n: n.replace("_", " ") for n in others if unit[n] == kind}
+        panels.append((*columns.values(), columns) if len(columns) == 1 else ("", columns))
+    return panels
 
 
 def paper_values(run: Path) -> list[dict[str, str]]:
@@ -74,8 +78,9 @@ def draw_histories(run: Path, picture: Path) -> None:
                                     sharex=True, squeeze=False, height_ratios=heights,
                                     layout="constrained")
     for axes, (title, columns) in zip(all_axes[:, 0], panels):
+        largest = max(np.nanmax(np.abs(data[name])) for name in columns)
+        kind, factor = at_the_rim(unit[next(iter(columns))], largest)
         for colour, (name, label) in zip(COLOURS * len(columns), columns.items()):
-            kind, factor = at_the_rim(unit[name])
             axes.plot(scale * data[first], factor * data[name], color=colour, linewidth=1.3,
                       label=label)
         mark_paper(axes, [row for row in paper if row["quantity"] in columns], factor)

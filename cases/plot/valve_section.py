@@ -10,8 +10,8 @@ from valve_profiles import spread
 
 INSTANTS = 4
 MILLI = 1e3
-NEAR = 0.7         # mm, to either side of the seat: what its picture shows,
-ABOVE, BELOW = 0.25, 1.05  # and mm above and below it
+HEAD = 0.6  # mm above the membrane that a section shows
+NEAR, ABOVE, BELOW = 0.7, 0.25, 1.05  # mm around the seat that its picture shows
 
 
 def speed(state: Dump) -> np.ndarray:
@@ -73,7 +73,11 @@ def draw_sections(run: Path, picture: Path) -> None:
     colours = Colours(states)
     lines = -(-len(states) // 2)
     columns = min(2, len(states))
-    figure, panels = plt.subplots(lines, columns, figsize=(5.6 * columns + 1.6, 2.6 * lines + 0.6),
+    upper = max(MILLI * s.plus_face[:, 0].max() for s in states) + HEAD
+    lower, outer = MILLI * states[0].axial[0], MILLI * states[0].radial[-1]
+    slender = (upper - lower) / (2 * outer)
+    figure, panels = plt.subplots(lines, columns,
+                                  figsize=(5 * columns + 1.8, (5 * slender + 0.4) * lines + 0.5),
                                   squeeze=False, sharex=True, sharey=True, layout="constrained")
     for axes in panels.flat[len(states):]:
         axes.axis("off")
@@ -83,9 +87,8 @@ def draw_sections(run: Path, picture: Path) -> None:
         images = [draw_half(axes, state, what, mirror, colours, chamber)
                   for what, mirror in (("pressure", -1), ("speed", 1))]
         axes.axvline(0, color="white", linewidth=0.8)
-        upper = max(MILLI * s.plus_face[:, 0].max() for s in states) + 0.6
-        axes.set_xlim(-MILLI * state.radial[-1], MILLI * state.radial[-1])
-        axes.set_ylim(MILLI * state.axial[0], upper)
+        axes.set_xlim(-outer, outer)
+        axes.set_ylim(lower, upper)
         axes.set_title(f"{MILLI * state.time:.3g} ms: up to {speed(state).max():.3g} m/s",
                        fontsize=9)
     for axes in panels[-1]:

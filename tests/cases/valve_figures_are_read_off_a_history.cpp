@@ -78,6 +78,7 @@ TEST(ValveFigures, SayNothingOfWhatTheRunDidNotReach)
   EXPECT_TRUE(std::isnan(shut.pilot_opens));
   EXPECT_TRUE(std::isnan(shut.opens));
   EXPECT_TRUE(std::isnan(shut.flow_rise));
+  EXPECT_TRUE(std::isnan(shut.chamber_time));
   EXPECT_NEAR(shut.leak, 1e-9, 1e-15);
   EXPECT_TRUE(std::isnan(shut.leak_class));  // no flow of the open valve to compare with
   EXPECT_EQ(cases::valve_text(shut).find("nan"), std::string::npos);
