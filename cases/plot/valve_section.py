@@ -77,7 +77,7 @@ def draw_sections(run: Path, picture: Path) -> None:
     lower, outer = MILLI * states[0].axial[0], MILLI * states[0].radial[-1]
     slender = (upper - lower) / (2 * outer)
     figure, panels = plt.subplots(lines, columns,
-                                  figsize=(5 * columns + 1.8, (5 * slender + 0.4) * lines + 0.5),
+                                  figsize=(5 * columns + 1.8, (4.4 * slender + 0.35) * lines + 0.5),
                                   squeeze=False, sharex=True, sharey=True, layout="constrained")
     for axes in panels.flat[len(states):]:
         axes.axis("off")
@@ -100,21 +100,20 @@ def draw_sections(run: Path, picture: Path) -> None:
 
 
 def seat(states: list[Dump]) -> tuple[float, float]:
-    """Radius and axial place, mm, where the face has the fewest cells of fluid below it, away from
-    the rim."""
+    """Radius and axial place, mm, of the middle of where the face has the fewest cells of fluid
+    below it, away from the rim."""
     state = max(states, key=lambda s: (s.side == 2).sum())
-    middle = [0.5 * (edge[1:] + edge[:-1]) for edge in (state.radial, state.axial)]
-    face = np.interp(middle[0], state.minus_face[:, 1], state.minus_face[:, 0])
-    best, place = np.inf, (0.0, 0.0)
-    for j, radius in enumerate(middle[0]):
-        if radius > 0.9 * state.minus_face[:, 1].max():
-            break
-        below = state.side[j, middle[1] < face[j]][::-1] == 0
-        below = below[2:] if len(below) > 2 else below  # the face may lie in the cell itself
-        depth = np.argmax(below) if below.any() else np.inf
-        if depth < best:
-            best, place = depth, (MILLI * radius, MILLI * face[j])
-    return place
+    radial, axial = (0.5 * (edge[1:] + edge[:-1]) for edge in (state.radial, state.axial))
+    radial = radial[radial < 0.9 * state.minus_face[:, 1].max()]
+    face = np.interp(radial, state.minus_face[:, 1], state.minus_face[:, 0])
+    depth = np.full(len(radial), np.inf)
+    for j in range(len(radial)):
+        below = state.side[j, axial < face[j]][::-1] == 0
+        below = below[2:]  # the face may lie in the first cell and its neighbour
+        if below.any():
+            depth[j] = np.argmax(below)
+    narrow = depth == depth.min()
+    return MILLI * radial[narrow].mean(), MILLI * face[narrow].mean()
 
 
 def draw_seat(run: Path, picture: Path) -> None:
