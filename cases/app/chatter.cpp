@@ -8,6 +8,7 @@
 
 #include "cases/app/oscillation.hpp"
 #include "cases/app/spectrum.hpp"
+#include "cases/app/swing.hpp"
 
 namespace velum::cases {
 namespace {
@@ -18,85 +19,12 @@ constexpr std::size_t fewest_samples = 32, candidates = 8;
 constexpr double samples_per_period = 5, periods_in_record = 2;
 constexpr double band = 0.2;  // of a frequency, to either side of it and its harmonics
 constexpr double harmonics = 3;
-constexpr double swing_from = 0.3;  // of the amplitude: what counts as a turn of the swing
 constexpr double begun_cycles = 2;  // that tell an oscillation from a transient
 
 Chatter nothing(ChatterKind kind)
 {
   return {kind,    0,       unknown, unknown, unknown, unknown,
           unknown, unknown, unknown, unknown, unknown, unknown};
-}
-
-/// A signal as it oscillates about its slow mean, with the amplitude of it near one frequency.
-struct Swing {
-  EvenSignal about_mean;
-  std::vector<double> amplitude;
-  std::size_t half;  // samples in a period
-};
-
-std::size_t period_samples(EvenSignal const& signal, double frequency)
-{
-  return static_cast<std::size_t>(std::lround(1 / (frequency * signal.step)));
-}
-
-EvenSignal about_slow_mean(EvenSignal signal, std::size_t half)
-{
-  auto const slow = slow_mean(signal.value, half);
-  for (std::size_t k = 0; k < slow.size(); ++k) signal.value[k] -= slow[k];
-  return signal;
-}
-
-Swing swing_at(EvenSignal const& signal, double frequency)
-{
-  std::size_t const half =
-      std::min(period_samples(signal, frequency), (signal.value.size() - 1) / 2);
-  Swing s{about_slow_mean(signal, half), {}, half};
-  std::vector<Complex> turned;
-  for (std::size_t k = 0; k < signal.value.size(); ++k)
-    turned.push_back(2 * s.about_mean.value[k] *
-                     std::polar(1.0, -2 * std::numbers::pi * frequency * signal.step * double(k)));
-  for (auto const& z : hann_mean(turned, half)) s.amplitude.push_back(std::abs(z));
-  return s;
-}
-
-/// Samples [begin, end) of the longest stretch with an amplitude above the threshold; pauses of two
-/// periods do not end it.
-struct Span {
-  std::size_t begin = 0, end = 0;
-};
-Span longest_span(Swing const& s, double threshold)
-{
-  Span best, now;
-  for (std::size_t k = 0; k < s.amplitude.size(); ++k) {
-    if (s.amplitude[k] <= threshold) continue;
-    if (now.end == 0 || k > now.end + 2 * s.half) now = {k, k};
-    now.end = k + 1;
-    if (now.end - now.begin > best.end - best.begin) best = now;
-  }
-  return best;
-}
-
-EvenSignal part(EvenSignal const& signal, Span span)
-{
-  auto const from = signal.value.begin();
-  return {signal.time(span.begin),
-          signal.step,
-          {from + static_cast<std::ptrdiff_t>(span.begin),
-           from + static_cast<std::ptrdiff_t>(span.end)}};
-}
-
-/// Whole and half cycles that the swing goes through, from its first turn to its last.
-double count_cycles(Swing const& s, Span span)
-{
-  int side = 0, turns = 0;
-  for (std::size_t k = span.begin; k < span.end; ++k) {
-    double const x = s.about_mean.value[k];
-    if (std::abs(x) < swing_from * s.amplitude[k]) continue;
-    int const now = x > 0 ? 1 : -1;
-    if (now != side) ++turns;
-    side = now;
-  }
-  return std::max(0, turns - 1) / 2.0;
 }
 
 /// Share of the power that lies beside a frequency and its first harmonics: a gap that strikes its
@@ -111,19 +39,6 @@ double share_near(Spectrum const& spectrum, double frequency)
       near += spectrum.power[k];
   }
   return all > 0 ? near / all : 0;
-}
-
-/// Slope of ln(amplitude) over time by least squares, over [begin, end).
-double log_rate(Swing const& s, std::size_t begin, std::size_t end)
-{
-  double const n = double(end - begin), middle = (n - 1) / 2;
-  double product = 0, square = 0;
-  for (std::size_t k = begin; k < end; ++k) {
-    double const t = double(k - begin) - middle;
-    product += t * std::log(s.amplitude[k]);
-    square += t * t;
-  }
-  return square > 0 ? product / square / s.about_mean.step : 0;
 }
 
 /// The strongest frequencies of a signal's velocity, which the slow part does not hide.

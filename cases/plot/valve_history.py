@@ -34,7 +34,8 @@ def columns_of(wanted: dict[str, str], data: dict[str, np.ndarray]) -> dict[str,
     return chosen
 
 
-def panels_of(data: dict[str, np.ndarray], unit: dict[str, str]) -> list[tuple[str, dict[str, str]]]:
+def panels_of(data: dict[str, np.ndarray],
+              unit: dict[str, str]) -> list[tuple[str, dict[str, str]]]:
     """Title and columns of each panel: a valve's own, or one for each unit, without what is always
     zero."""
     if "gap" in data:
