@@ -21,6 +21,8 @@ void limits_command(Options const& options);
 void contact_penalty_command(Options const& options);
 /// velum fit: laws of rubber from files of test data; a report, material cards, tables, a picture.
 void fit_command(Options const& options);
+/// velum plot: pictures of a run and one HTML page that holds them, its figures and assumptions.
+void plot_command(Options const& options);
 /// velum bench: speed of the lattice step, and of the memory, on stdout.
 void bench_command(Options const& options);
 /// velum info: version, back ends, threads, libraries on stdout.

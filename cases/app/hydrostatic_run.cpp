@@ -6,8 +6,7 @@
 #include "cases/app/assumptions.hpp"
 #include "cases/app/hydrostatic_scene.hpp"
 #include "cases/app/material_range.hpp"
-#include "core/output/series.hpp"
-#include "structure/faces.hpp"
+#include "cases/app/membrane_profile.hpp"
 
 namespace velum::cases {
 
@@ -21,19 +20,8 @@ void run_hydrostatic(Scene const& scene, std::filesystem::path const& out)
   double const wall_time =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  structure::Faces faces;
-  structure::locate_faces(s.membrane, s.membrane.position, 1.0, faces);
-  auto profile = core::start_series(out / "profile.csv", {{"radius", "m"},
-                                                          {"axial", "m"},
-                                                          {"minus_face_radius", "m"},
-                                                          {"minus_face_axial", "m"},
-                                                          {"thickness", "m"}});
-  for (std::size_t a = 0; a < faces.minus.size(); ++a) {
-    auto const x = structure::node(s.membrane.position, static_cast<int>(a));
-    core::append(profile, 0,
-                 {dx * x[1], dx * x[0], dx * faces.minus[a][1], dx * faces.minus[a][0],
-                  dx * faces.thickness[a]});
-  }
+  auto profile = start_profile(out);
+  append_profile(profile, s.membrane, dx, 0);
   double const deflection = dx * (s.membrane.reference[0] - s.membrane.position[0]);
   double const force = core::to_si_force(d.units, symmetry(scene), s.report.patch.force);
   double const penetration = dx * s.report.patch.penetration;

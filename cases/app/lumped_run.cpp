@@ -7,11 +7,14 @@
 #include <cmath>
 
 #include "cases/app/assumptions.hpp"
+#include "cases/app/history.hpp"
 #include "cases/app/lumped_scene.hpp"
 #include "cases/app/material_range.hpp"
+#include "cases/app/membrane_profile.hpp"
 #include "cases/app/network_columns.hpp"
 #include "cases/app/progress.hpp"
 #include "cases/app/stop.hpp"
+#include "cases/app/valve_report.hpp"
 #include "core/check.hpp"
 #include "core/output/series.hpp"
 
@@ -58,6 +61,32 @@ std::vector<double> row(LumpedScene const& s, Scene const& scene, double time)
   return r;
 }
 
+/// The rows of a run, in memory and on the disk, and the membrane's shape at times.
+struct Output {
+  History history;
+  core::Series series, profile;
+  double next_profile = 0;
+};
+
+void record(Output& out, LumpedScene const& s, Scene const& scene, double time)
+{
+  out.history.time.push_back(time);
+  out.history.rows.push_back(row(s, scene, time));
+  core::append(out.series, time, out.history.rows.back());
+  double const dt = s.derived.units.dt, almost = time + dt;
+  if (almost < out.next_profile) return;
+  append_profile(out.profile, s.state.membrane, s.derived.units.dx, time);
+  while (out.next_profile <= almost) out.next_profile += scene.run.output_every;
+}
+
+/// Diameter of the seat at the narrowest place, m; 0 in a plane.
+double seat_diameter(LumpedScene const& s, Scene const& scene)
+{
+  if (symmetry(scene) != core::Symmetry::axisymmetric) return 0;
+  auto const& narrowest = s.state.seat->markers.X[static_cast<std::size_t>(s.state.gap.narrowest)];
+  return 2 * core::to_si_length(s.derived.units, narrowest[1]);
+}
+
 }  // namespace
 
 void run_lumped(Scene const& scene, RunOptions const& options)
@@ -69,7 +98,10 @@ void run_lumped(Scene const& scene, RunOptions const& options)
   auto assumed = assumptions(scene, d, 0);
   for (auto const& [name, sentence] : assumed) spdlog::info("{}: {}", name, sentence);
   auto s = make_lumped_scene(scene, d, start);
-  auto series = core::start_series(options.out / "series.csv", columns(scene));
+  Output out{{columns(scene), {}, {}},
+             core::start_series(options.out / "series.csv", columns(scene)),
+             start_profile(options.out)};
+  double const seat = seat_diameter(s, scene);
   double const dt = d.units.dt;
   long const total = std::lround(scene.run.end / dt), settle = std::lround(scene.run.settle / dt);
   long const sample = std::max<long>(1, std::lround(scene.run.sample_every / dt));
@@ -80,7 +112,7 @@ void run_lumped(Scene const& scene, RunOptions const& options)
   StretchRecord stretch;
   note_stretch(stretch, s.state.membrane, material);
   ProgressLine progress(options.quiet);
-  core::append(series, 0, row(s, scene, 0));
+  record(out, s, scene, 0);
   bool stopped = false;
   double time = 0;
   for (long n = 1; n <= total && !stopped; ++n) {
@@ -102,17 +134,20 @@ void run_lumped(Scene const& scene, RunOptions const& options)
       stopped = stop_requested();
     }
     if (n % sample == 0 || n == total || stopped) {
-      core::append(series, time, row(s, scene, time));
+      record(out, s, scene, time);
       note_stretch(stretch, s.state.membrane, material);
     }
   }
   progress.finish();
   add_range(assumed, stretch, material);
-  auto const names = columns(scene);
-  auto const last = row(s, scene, time);
+  auto const report = valve_report(scene, out.history, seat);
+  assumed.insert(report.rules.begin(), report.rules.end());
+  auto const& names = out.history.columns;
+  auto const& last = out.history.rows.back();
   core::Summary summary{{}, assumed};
   for (std::size_t k = 0; k < names.size(); ++k)
     summary.figures.push_back({names[k].name, last[k], names[k].unit});
+  summary.figures.insert(summary.figures.end(), report.figures.begin(), report.figures.end());
   summary.figures.push_back({"stretch_max", stretch.largest, "1"});
   summary.figures.push_back({"wall_time", elapsed(), "s"});
   core::write_summary(options.out / "summary.json", summary);
@@ -123,6 +158,7 @@ void run_lumped(Scene const& scene, RunOptions const& options)
                     time, options.out.string()));
   spdlog::info("{:.4g} ms in {:.1f} s: pressure above {:.4g} kPa, flow {:.4g} l/h, gap {:.4g} um",
                1e3 * time, elapsed(), last[0] / 1e3, 3.6e6 * last[7], 1e6 * last[6]);
+  spdlog::info("{}", report.text);
   spdlog::info("results: {}", options.out.string());
 }
 

@@ -54,6 +54,8 @@ void carry_out(cases::Options const& options)
       return cases::limits_command(options);
     case cases::Command::fit:
       return cases::fit_command(options);
+    case cases::Command::plot:
+      return cases::plot_command(options);
     case cases::Command::bench:
       return cases::bench_command(options);
     case cases::Command::info:

@@ -152,6 +152,18 @@ void add_fit(CLI::App& app, Options& options)
   add_common(*fit, options);
 }
 
+void add_plot(CLI::App& app, Options& options)
+{
+  auto* plot = app.add_subcommand(
+      "plot", "Pictures of a run and one HTML page that holds them, its figures and assumptions");
+  plot->add_option("RUN", options.run, "Folder of the results, such as results/closed_valve")
+      ->required()
+      ->type_name("");
+  plot->add_option("--out", options.out, "Folder of the pictures and the page (RUN)")
+      ->type_name("DIR");
+  add_common(*plot, options);
+}
+
 void add_bench(CLI::App& app, Options& options)
 {
   auto* bench = app.add_subcommand(
@@ -177,6 +189,7 @@ Command parsed(CLI::App const& app)
          : name == "chart"  ? Command::chart
          : name == "limits" ? Command::limits
          : name == "fit"    ? Command::fit
+         : name == "plot"   ? Command::plot
          : name == "bench"  ? Command::bench
                             : Command::info;
 }
@@ -220,13 +233,14 @@ CommandLine read_command_line(int argc, char const* const* argv)
   add_chart(app, options);
   add_limits(app, options);
   add_fit(app, options);
+  add_plot(app, options);
   add_bench(app, options);
 
   auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
   add_common(*info, options);
 
-  std::vector<std::string> const commands{"run",    "check", "stl",   "mesh", "chart",
-                                          "limits", "fit",   "bench", "info"};
+  std::vector<std::string> const commands{"run",    "check", "stl",  "mesh",  "chart",
+                                          "limits", "fit",   "plot", "bench", "info"};
   if (argc > 1 && argv[1][0] != '-' &&
       std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     std::string const near = core::nearest(argv[1], commands);

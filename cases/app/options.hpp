@@ -6,7 +6,7 @@
 
 namespace velum::cases {
 
-enum class Command { run, check, stl, mesh, chart, limits, fit, bench, info };
+enum class Command { run, check, stl, mesh, chart, limits, fit, plot, bench, info };
 
 /// What the command line asks for.
 struct Options {
@@ -25,6 +25,7 @@ struct Options {
   double from = 0, to = 20;                 // between these stretches,
   bool relative = false;                    // weighing each point by its own stress
   int threads = 0;                          // 0: all
+  std::filesystem::path run;                // folder of results, to plot
   bool json = false;                        // of bench and mesh
   bool quiet = false;
   std::vector<std::string> kokkos;  // --kokkos-* arguments as they are

@@ -10,6 +10,9 @@ namespace velum::cases {
 
 namespace {
 
+/// What a paper or a measurement says, beside a scene, for velum plot to mark.
+constexpr char const* paper_values = "paper.csv";
+
 /// Makes the results folder of a Scene or a BodyScene ready and starts the log in it.
 /// @param mesh  name of the file that the body is from; empty: none
 template <class AnyScene>
@@ -17,10 +20,11 @@ std::filesystem::path begin(Options const& options, AnyScene const& scene, std::
 {
   auto const out = std::filesystem::absolute(
       options.out.empty() ? std::filesystem::path("results") / scene.name : options.out);
-  prepare_results(scene.source,
-                  files_of(scene.solids, scene.materials,
-                           {mesh, scene.reference ? scene.reference->file : std::string()}),
-                  out);
+  prepare_results(
+      scene.source,
+      files_of(scene.solids, scene.materials,
+               {mesh, scene.reference ? scene.reference->file : std::string(), paper_values}),
+      out);
   core::start_log(out, options.quiet ? core::Console::quiet : core::Console::normal);
   catch_stop_signals();
   return out;

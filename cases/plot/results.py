@@ -10,6 +10,7 @@ import numpy as np
 UNITS = {
     "m": 1, "mm": 1e-3, "um": 1e-6, "s": 1, "ms": 1e-3, "us": 1e-6,
     "Pa": 1, "kPa": 1e3, "MPa": 1e6, "bar": 1e5,
+    "m3/s": 1, "l/h": 1e-3 / 3600, "N": 1, "m/s": 1, "1": 1,
 }
 
 
@@ -39,6 +40,13 @@ def series(run: Path) -> dict[str, np.ndarray]:
         header, *rows = csv.reader(file)
     columns = np.array(rows, dtype=float).T
     return {name.split(" [")[0]: column for name, column in zip(header, columns)}
+
+
+def units(run: Path) -> dict[str, str]:
+    """SI unit of every column of series.csv, the first one first."""
+    with open(run / "series.csv", newline="") as file:
+        header = next(csv.reader(file))
+    return {name: unit.rstrip("]") for name, unit in (cell.split(" [") for cell in header)}
 
 
 def dumps(run: Path) -> int:
