@@ -60,7 +60,7 @@ TEST(BadInput, WrongWordHasNearestAndAllowedWords)
 {
   EXPECT_EQ(refused("kind = \"traction\"", "kind = \"tracton\""),
             "scene.toml:18: inlet.kind cannot be the text \"tracton\"; did you mean \"traction\"? "
-            "Allowed: traction, pressure, velocity, flow_rate, outflow, moving_wall.");
+            "Allowed: traction, pressure, velocity, flow_rate, outflow, port, moving_wall.");
 }
 
 TEST(BadInput, SchemeOfTheMembraneIsOneOfThree)
