@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Tables (Markdown) and the fidelity chart of cases/valve_on_off/study, from the runs in its folder.
+
+A flow is in l/h, a pressure in kPa, a gap in um. "At t" is the row nearest to t."""
+import argparse
+import json
+from pathlib import Path
+
+import numpy as np
+
+from results import done, quantity, series, summary
+from style import plt, save
+
+L_PER_H = 3.6e6
+
+
+def at(run: Path, name: str, time: float) -> float:
+    s = series(run)
+    return s[name][np.argmin(np.abs(s["time"] - time))]
+
+
+def last(run: Path, name: str) -> float:
+    """Mean of the last tenth of the run."""
+    column = series(run)[name]
+    return column[-max(1, len(column) // 10):].mean()
+
+
+def table(header: list[str], rows: list[list[str]]) -> str:
+    lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def on_off(run: Path) -> list[str]:
+    s = summary(run)
+    pressure = [f"{1e-3 * at(run, 'pressure_pilot', t):.0f}" for t in (0, 0.021, 0.06)]
+    flow = [f"{L_PER_H * at(run, 'flow', t):.0f}" for t in (0.031, 0.06)]
+    return [run.name, *pressure, *flow, f"{1e6 * last(run, 'gap'):.0f}",
+            f"{s.get('wall_time', float('nan')):.0f}"]
+
+
+def plateau(run: Path) -> list[list[str]]:
+    rows = []
+    for opening, time in (("closed", 0.079), ("5 %", 0.119), ("25 %", 0.139), ("38 %", 0.199),
+                          ("100 %", 0.25)):
+        rows.append([run.name, opening, f"{1e-3 * at(run, 'pressure_pilot', time):.1f}",
+                     f"{L_PER_H * at(run, 'flow', time):.2f}",
+                     f"{1e6 * at(run, 'gap', time):.2f}",
+                     f"{at(run, 'seat_force', time):.2f}"])
+    return rows
+
+
+def chart(folder: Path, runs: list[Path], finest: Path) -> None:
+    """Error of the flow's history, against the finest run's, over wall time."""
+    fine = series(finest)
+    scale = fine["flow"].max()
+    figure, axes = plt.subplots(figsize=(5, 3.6))
+    for run in runs:
+        s = series(run)
+        error = np.abs(np.interp(fine["time"], s["time"], s["flow"]) - fine["flow"]).mean() / scale
+        lumped = json.loads((run / "summary.json").read_text())["assumptions"]["fidelity"] == "lumped"
+        axes.loglog(summary(run)["wall_time"], error, "s" if lumped else "o",
+                    color="#c8553d" if lumped else "#1b6ca8")
+        axes.annotate(run.name.removeprefix("fid_"), (summary(run)["wall_time"], error),
+                      textcoords="offset points", xytext=(5, 4), fontsize=7)
+    axes.set_xlabel("wall time (s), one thread or as run")
+    axes.set_ylabel(f"flow, mean distance from {finest.name.removeprefix('fid_')},\nshare of its largest")
+    axes.grid(True, which="both", linewidth=0.3)
+    save(figure, folder / "fidelity.png")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    folder = parser.parse_args().folder
+    runs = sorted(run for run in folder.iterdir() if run.is_dir() and done(run))
+    of = lambda prefix: [run for run in runs if run.name.startswith(prefix)]
+    head = ["run", "pilot chamber at 0", "20 ms after", "59 ms", "flow 30 ms after", "59 ms",
+            "last gap", "wall time (s)"]
+    if of("on_"):
+        print(table(head, [on_off(run) for run in of("on_")]))
+    if of("prop_"):
+        print(table(["run", "pilot", "pilot chamber", "flow", "gap", "seat force (N)"],
+                    [row for run in of("prop_") for row in plateau(run)]))
+    if of("fid_"):
+        print(table(head, [on_off(run) for run in of("fid_")]))
+        grids = [run for run in of("fid_") if "um" in run.name]
+        if grids:
+            finest = min(grids, key=lambda run: quantity(run, "lattice.dx"))
+            chart(folder, [run for run in of("fid_") if run != finest], finest)
+    if of("par_"):
+        base = next((run for run in of("par_") if run.name == "par_none"), None)
+        if base:
+            rows = []
+            for run in of("par_"):
+                p, q = last(run, "pressure_pilot"), L_PER_H * last(run, "flow")
+                p0, q0 = last(base, "pressure_pilot"), L_PER_H * last(base, "flow")
+                rows.append([run.name.removeprefix("par_"), f"{1e-3 * p:.1f}",
+                             f"{100 * (p / p0 - 1):+.1f} %", f"{q:.0f}", f"{100 * (q / q0 - 1):+.0f} %"])
+            print(table(["changed", "pilot chamber", "by", "flow", "by"], rows))
+    if of("beta_"):
+        rows = []
+        for run in of("beta_"):
+            s = summary(run)
+            rows.append([run.name.removeprefix("beta_"),
+                         *(f"{s[k]:.3g}" if s.get(k) is not None else "-"
+                           for k in ("chatter_frequency", "chatter_amplitude", "chatter_rate"))])
+        print(table(["beta", "frequency (Hz)", "amplitude (m)", "rate (1/s)"], rows))
+
+
+if __name__ == "__main__":
+    main()
