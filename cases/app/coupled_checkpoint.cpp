@@ -41,6 +41,14 @@ void exchange(core::StateFile& file, Certificate& c)
   c.driven = {record[0], record[1], record[2], record[3], record[4], record[5]};
 }
 
+/// A run that fell back keeps the contact's stiffness of the step that it began with.
+void exchange_stiffness(core::StateFile& file, ibm::SeatContact* seat, bool fallen)
+{
+  double stiffness = seat ? seat->contact.stiffness : 0;
+  file.field("contact stiffness", stiffness);
+  if (seat && fallen) seat->contact.stiffness = stiffness;
+}
+
 }  // namespace
 
 template <class Real>
@@ -48,8 +56,10 @@ void exchange(core::StateFile& file, CoupledScene<Real, ibm::Sharp>& s, March& m
               std::string& scene_text)
 {
   file.number("step", m.step);
+  file.number("fallen back", m.fallen);
   file.text("scene", scene_text);
   exchange_state(file, s, m.flows);
+  exchange_stiffness(file, s.state.seat.get(), m.fallen > 0);
   exchange(file, "measurement", m.now);
   file.number("measured", m.measured);
   exchange(file, m.certificate);
@@ -76,6 +86,14 @@ std::filesystem::path save_checkpoint(std::filesystem::path const& folder,
   exchange(file, s, march, scene_text);
   file.commit();
   return path;
+}
+
+long times_fallen(std::filesystem::path const& checkpoint)
+{
+  long times = 0;
+  auto file = core::StateFile::open(checkpoint);
+  file.number("fallen back", times);
+  return times;
 }
 
 std::filesystem::path newest_checkpoint(std::filesystem::path const& folder)

@@ -21,6 +21,9 @@ std::filesystem::path save_checkpoint(std::filesystem::path const& folder,
                                       CoupledScene<Real, ibm::Sharp>& s, March& march,
                                       std::string scene_text);
 
+/// How often the run behind a checkpoint had fallen back to a shorter time step.
+long times_fallen(std::filesystem::path const& checkpoint);
+
 /// The newest whole checkpoint of a folder, by the steps taken; empty where there is none.
 std::filesystem::path newest_checkpoint(std::filesystem::path const& folder);
 

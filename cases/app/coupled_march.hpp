@@ -24,6 +24,7 @@ struct March {
   CoupledOutput out;
   double next_checkpoint = 0;  // s
   long checkpoints = 0;        // written so far
+  long fallen = 0;             // times that it fell back to a shorter step
   double seconds = 0;          // wall time of the runs that this one goes on from
 };
 

@@ -4,9 +4,12 @@
 #include <spdlog/spdlog.h>
 
 #include "cases/app/assumptions.hpp"
+#include "cases/app/coupled_checkpoint.hpp"
 #include "cases/app/coupled_steps.hpp"
+#include "cases/app/fall_back.hpp"
 #include "cases/app/settled_state.hpp"
 #include "cases/app/stop.hpp"
+#include "core/check.hpp"
 #include "structure/static_solve.hpp"
 #include "structure/volume_control.hpp"
 
@@ -61,9 +64,10 @@ void conclude(CoupledRun<Real, Body>& run, HydrostaticScene const& start, core::
 }
 
 template <class Real, template <class> class Body>
-Certificate march(Scene const& scene, Scene const& initial, RunOptions const& options,
-                  HydrostaticScene& start, double smagorinsky)
+Certificate march(Scene const& asked, Scene const& initial, RunOptions const& options,
+                  HydrostaticScene& start, double smagorinsky, long fallen)
 {
+  Scene const scene = slower(asked, fallen);
   auto s = [&] {
     if constexpr (keeps_state<Real, Body>)
       if (scene.start && options.restart.empty())
@@ -85,7 +89,15 @@ Certificate march(Scene const& scene, Scene const& initial, RunOptions const& op
     run.march.out = start_output(scene, s.derived, said, options.out);
     take_stock(run.march, s, scene, run.when);
   }
-  take_steps(run);
+  for (bool done = false; !done;) try {
+      take_steps(run);
+      done = true;
+    } catch (core::Divergence const& failure) {
+      if (run.march.fallen >= scene.run.fall_back || run.kept.empty()) throw;
+      spdlog::warn("{}", failure.what());
+      if constexpr (keeps_state<Real, Body>)
+        fall_back(run, asked, initial, start, smagorinsky, said);
+    }
   conclude(run, start, said, smagorinsky > 0);
   if (!run.stopped) return run.march.certificate;
   std::string const more =
@@ -96,21 +108,23 @@ Certificate march(Scene const& scene, Scene const& initial, RunOptions const& op
 }
 
 template <class Real>
-Certificate march_with(Scene const& scene, Scene const& initial, RunOptions const& options,
-                       HydrostaticScene& start, double smagorinsky)
+Certificate march_with(Scene const& asked, Scene const& initial, RunOptions const& options,
+                       HydrostaticScene& start, double smagorinsky, long fallen)
 {
-  return scene.coupling.method == CouplingMethod::sharp
-             ? march<Real, ibm::Sharp>(scene, initial, options, start, smagorinsky)
-             : march<Real, ibm::Diffuse>(scene, initial, options, start, smagorinsky);
+  return asked.coupling.method == CouplingMethod::sharp
+             ? march<Real, ibm::Sharp>(asked, initial, options, start, smagorinsky, fallen)
+             : march<Real, ibm::Diffuse>(asked, initial, options, start, smagorinsky, fallen);
 }
 
 }  // namespace
 
-void run_coupled(Scene const& scene, RunOptions const& options)
+void run_coupled(Scene const& asked, RunOptions const& options)
 {
+  // a checkpoint may be of a run that had fallen back to a shorter step
+  long const fallen = options.restart.empty() ? 0 : times_fallen(options.restart);
+  Scene const scene = slower(asked, fallen), initial = initial_scene(asked, options.set);
   Derived const d = derive(scene);
-  Scene const initial = initial_scene(scene, options.set);
-  HydrostaticScene start = make_start(initial);
+  HydrostaticScene start = make_start(slower(initial, fallen));
   double const smagorinsky = smagorinsky_constant(scene, start.seat != nullptr);
   for (auto const& [name, sentence] : assumptions(scene, d, smagorinsky))
     spdlog::info("{}: {}", name, sentence);
@@ -118,9 +132,10 @@ void run_coupled(Scene const& scene, RunOptions const& options)
     spdlog::info("starts from the hydrostatic state: centre {:.4f} mm below the flat membrane",
                  1e3 * core::to_si_length(
                            d.units, start.membrane.reference[0] - start.membrane.position[0]));
-  Certificate const c = scene.lattice.precision == Precision::double_
-                            ? march_with<double>(scene, initial, options, start, smagorinsky)
-                            : march_with<float>(scene, initial, options, start, smagorinsky);
+  Certificate const c =
+      scene.lattice.precision == Precision::double_
+          ? march_with<double>(asked, initial, options, start, smagorinsky, fallen)
+          : march_with<float>(asked, initial, options, start, smagorinsky, fallen);
   spdlog::info("{}", certificate_text(c));
   spdlog::info("results: {}", (options.out / "run.xmf").string());
 }

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "cases/app/coupled_checkpoint.hpp"
 #include "cases/app/coupled_watch.hpp"
+#include "cases/app/fall_back.hpp"
 #include "cases/app/progress.hpp"
+#include "cases/app/settled_state.hpp"
 #include "cases/app/stop.hpp"
 #include "core/check.hpp"
 
@@ -62,8 +65,8 @@ void march_on(CoupledRun<Real, Body>& run, CoupledWatch& watch, ProgressLine& pr
   auto& [scene, options, s, when, march, kept, stopped, began] = run;
   auto const cells = double(lbm::observe(s.state.fluid).cells);
   for (long n = march.step + 1; n <= when.total && !stopped; ++n) {
-    take_step(s, scene, n, n > when.settle);
     march.step = n;
+    take_step(s, scene, n, n > when.settle);
     note_step(watch, s, scene, n, double(n) * when.dt);
     add_flows(march.flows, s);
     bool const looks = n % guard_every == 0 || n == when.total;
@@ -103,6 +106,35 @@ void resume(CoupledRun<Real, ibm::Sharp>& run, core::Assumptions const& said)
                double(run.march.step) * run.when.dt);
 }
 
+template <class Real>
+void fall_back(CoupledRun<Real, ibm::Sharp>& run, Scene const& asked, Scene const& initial,
+               HydrostaticScene& start, double smagorinsky, core::Assumptions const& said)
+{
+  long const before = times_fallen(run.kept), now = run.march.fallen + 1;
+  double const seconds = run.march.seconds;
+  start = make_start(slower(initial, before));
+  auto old = make_coupled_scene<Real, ibm::Sharp>(slower(asked, before), start, smagorinsky);
+  auto file = core::StateFile::open(run.kept);
+  std::string text;
+  exchange(file, old, run.march, text);
+  double const time = double(run.march.step) * old.derived.units.dt;
+  bool const measured = run.march.measured == run.march.step;
+
+  run.scene = slower(asked, now);
+  start = make_start(slower(initial, now));
+  run.s = make_coupled_scene<Real, ibm::Sharp>(run.scene, start, smagorinsky);
+  carry_over(old, run.s, run.march.flows);
+  run.when = calendar(run.scene.run, run.s.derived.units.dt);
+  run.march.step = std::lround(time / run.when.dt);
+  run.march.measured = measured ? run.march.step : run.march.step - 1;
+  run.march.fallen = now;
+  run.march.seconds = seconds;
+  run.march.out =
+      resume_output(std::move(run.march.out), run.scene, run.s.derived, said, run.options.out);
+  spdlog::warn("falls back to t = {:.4g} s and goes on with a time step of {:.4g} s, Mach {:.3g}",
+               time, run.when.dt, run.s.derived.mach);
+}
+
 template <class Real, template <class> class Body>
 void take_steps(CoupledRun<Real, Body>& run)
 {
@@ -113,10 +145,8 @@ void take_steps(CoupledRun<Real, Body>& run)
     progress.finish();
   } catch (core::Divergence const& failure) {
     progress.finish();
-    if (watch.steps.rows.empty() || watch.steps.rows.back().step == run.march.step) {
-      long const n = run.march.step + 1;  // within the step that failed
+    if (long const n = run.march.step; watch.steps.rows.empty() || watch.steps.rows.back().step < n)
       note_step(watch, run.s, run.scene, n, double(n) * run.when.dt);
-    }
     std::string text = failure.what();
     if (auto const causes = open_black_box(watch, run.options.out); !causes.empty())
       text += " " + causes;
@@ -132,5 +162,9 @@ template void take_steps(CoupledRun<double, ibm::Sharp>&);
 template void take_steps(CoupledRun<double, ibm::Diffuse>&);
 template void resume(CoupledRun<float, ibm::Sharp>&, core::Assumptions const&);
 template void resume(CoupledRun<double, ibm::Sharp>&, core::Assumptions const&);
+template void fall_back(CoupledRun<float, ibm::Sharp>&, Scene const&, Scene const&,
+                        HydrostaticScene&, double, core::Assumptions const&);
+template void fall_back(CoupledRun<double, ibm::Sharp>&, Scene const&, Scene const&,
+                        HydrostaticScene&, double, core::Assumptions const&);
 
 }  // namespace velum::cases

@@ -11,7 +11,7 @@ namespace velum::cases {
 /// A coupled run under way: what it is of, and what it has come to.
 template <class Real, template <class> class Body>
 struct CoupledRun {
-  Scene const& scene;
+  Scene scene;
   RunOptions const& options;
   CoupledScene<Real, Body>& s;
   Calendar when;
@@ -38,6 +38,14 @@ double checkpoint_every(Scene const& scene);
 /// Takes over the checkpoint of the options: state of the scene, march, files.
 template <class Real>
 void resume(CoupledRun<Real, ibm::Sharp>& run, core::Assumptions const& said);
+
+/// Takes the run back to its last checkpoint, on a shorter time step than it has now.
+/// @param asked, initial  the scene, and what it begins as, with the step that the user asked for
+/// @param start           made anew with the shorter one
+/// @pre there is a checkpoint
+template <class Real>
+void fall_back(CoupledRun<Real, ibm::Sharp>& run, Scene const& asked, Scene const& initial,
+               HydrostaticScene& start, double smagorinsky, core::Assumptions const& said);
 
 /// Takes the steps that are left, or those until a signal; looks at the fluid now and then, and
 /// writes a checkpoint after a look whenever one is due.

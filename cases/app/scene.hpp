@@ -178,6 +178,7 @@ struct Schedule {
   double sample_every;                       // rows of the series; output_every unless given
   double steady = 0;                         // ends the run below this relative change; 0: never
   std::optional<double> checkpoint_every{};  // empty: a tenth of the run
+  int fall_back = 0;  // so often a run that diverges goes on from its last checkpoint, slower
 };
 
 /// What a coupled run begins with: the scene, or another one of the same lattice and membrane,

@@ -20,6 +20,7 @@ void check_march(Scene const& scene)
   if (scene.start && !can_be_kept(scene)) reject(scene, "start", what);
   if (scene.run.checkpoint_every && !can_be_kept(scene))
     reject(scene, "run.checkpoint_every", what);
+  if (scene.run.fall_back > 0 && !can_be_kept(scene)) reject(scene, "run.fall_back", what);
   if (!scene.start || scene.start->scene.empty()) return;
   std::string const& name = scene.start->scene;
   if (name == "scene.toml")

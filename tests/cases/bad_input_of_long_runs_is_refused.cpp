@@ -23,6 +23,14 @@ TEST(BadInputOfLongRuns, TimesMustBeTimesAndPositive)
   EXPECT_EQ(with("checkpoint_every = \"1 ms\"\n[start]\nsettle = \"1 ms\"\n"), "");
 }
 
+TEST(BadInputOfLongRuns, FallBackIsAFewTimes)
+{
+  for (std::string const times : {"0.5", "11", "-1", "\"2\""})
+    EXPECT_NE(with("fall_back = " + times + "\n").find("run.fall_back must be a"),
+              std::string::npos);
+  EXPECT_EQ(with("fall_back = 2\n"), "");
+}
+
 TEST(BadInputOfLongRuns, AnotherSceneMustLieBesideTheFirst)
 {
   std::string const start = "[start]\nsettle = \"1 ms\"\nscene = ";

@@ -109,6 +109,24 @@ TEST(SplitRun, StoppedAtTenRandomPlacesEndsInTheSameState)
                   {"next checkpoint"});  // a stop adds one of its own and moves none
 }
 
+TEST(SplitRun, StoppedBySignalSaysHowToGoOn)
+{
+  SceneRuns const valve(quick_valve);
+  std::filesystem::create_directories(valve.out("run"));
+  cases::request_stop();
+  try {
+    cases::run_coupled(cases::read_scene(valve.folder.path / "scene.toml"),
+                       {.out = valve.out("run"), .quiet = true});
+    ADD_FAILURE() << "was not stopped";
+  } catch (cases::Stopped const& stopped) {
+    EXPECT_NE(std::string(stopped.what())
+                  .find("go on with --restart " + (valve.out("run") / "checkpoint_a.h5").string()),
+              std::string::npos)
+        << stopped.what();
+  }
+  cases::request_stop(false);
+}
+
 /// Starts the program and kills it after a time, s; true where it had come to its end.
 bool run_for(std::vector<std::string> arguments, double seconds)
 {
