@@ -32,7 +32,7 @@ class Warning : public spdlog::custom_flag_formatter {
 
 }  // namespace
 
-void start_log(std::filesystem::path const& folder, Console console)
+void start_log(std::filesystem::path const& folder, Console console, bool append)
 {
   auto const file_name = folder / "log.txt";
   auto to_console = std::make_shared<spdlog::sinks::stdout_sink_mt>();
@@ -43,7 +43,7 @@ void start_log(std::filesystem::path const& folder, Console console)
 
   std::shared_ptr<spdlog::sinks::basic_file_sink_mt> to_file;
   try {
-    to_file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file_name.string(), true);
+    to_file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file_name.string(), !append);
   } catch (spdlog::spdlog_ex const&) {
     throw InputError("The log " + file_name.string() + " cannot be written.");
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/output/series.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,9 @@ struct History {
     return values;
   }
 };
+
+/// The rows of a series.csv that start_series() began.
+/// @throws core::InputError  it cannot be read
+History read_history(std::filesystem::path const& file);
 
 }  // namespace velum::cases

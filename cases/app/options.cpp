@@ -216,7 +216,11 @@ CommandLine read_command_line(int argc, char const* const* argv)
 
   auto* run = app.add_subcommand("run", "March a scene and write its results to a folder");
   add_scene(*run, options);
-  add_out(*run, options, "results/<name of the scene>");
+  add_out(*run, options, "results/<name of the scene>, or that of the checkpoint");
+  run->add_option("--restart", options.restart,
+                  "Goes on from a checkpoint of an earlier run, checkpoint_a.h5 or checkpoint_b.h5 "
+                  "in its results; the scene may differ in what drives it, and run longer")
+      ->type_name("FILE");
   add_common(*run, options);
 
   auto* check = app.add_subcommand(

@@ -17,6 +17,7 @@ struct Options {
   int cells = 0;                              // across a map's flow; 0: the command's choice
   bool quick = false;                         // fewer and coarser runs
   std::vector<std::string> set;               // "key=value"
+  std::filesystem::path restart;              // checkpoint to go on from; empty: none
   std::filesystem::path out;                  // empty: results/<name of the scene or STL file>
   std::filesystem::path stl, mesh;            // the STL or the mesh file,
   std::string unit, dx, cut;  // its unit, the cells it is looked at with, "x=0.5 mm" or empty

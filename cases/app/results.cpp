@@ -4,15 +4,38 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <string>
 #include <system_error>
 
 namespace velum::cases {
+namespace {
+
+constexpr std::array files_of_run = {"run.h5",          "run.xmf",      "series.csv",
+                                     "summary.json",    "log.txt",      "checkpoint_a.h5",
+                                     "checkpoint_b.h5", "blackbox.csv", "blackbox_steps.csv"};
+
+/// Brings what a run goes on with into another folder.
+void take_over(std::filesystem::path const& from, std::filesystem::path const& out)
+{
+  std::error_code error;
+  if (std::filesystem::equivalent(from, out, error)) return;
+  for (auto const* name : files_of_run) std::filesystem::remove(out / name, error);
+  for (auto const* name : {"run.h5", "run.xmf", "series.csv"}) {
+    if (!std::filesystem::exists(from / name, error)) continue;
+    std::filesystem::copy_file(from / name, out / name, error);
+    if (error)
+      throw core::InputError(fmt::format("--out: {} cannot be copied to {}: {}.",
+                                         (from / name).string(), out.string(), error.message()));
+  }
+}
+
+}  // namespace
 
 void prepare_results(SceneFile const& source, std::vector<std::string> const& files,
-                     std::filesystem::path const& out)
+                     std::filesystem::path const& out, std::filesystem::path const& restart)
 {
   std::error_code error;
   std::filesystem::create_directories(out, error);
@@ -23,13 +46,15 @@ void prepare_results(SceneFile const& source, std::vector<std::string> const& fi
 
   auto const scene_file = out / "scene.toml";
   std::error_code ignored;
-  if (std::filesystem::equivalent(scene_file, source.file, ignored))
+  if (restart.empty() && std::filesystem::equivalent(scene_file, source.file, ignored))
     throw core::InputError(fmt::format(
         "--out: the results folder {} holds the scene file itself, which the run would overwrite; "
         "choose another folder.",
         out.string()));
-  for (char const* name : {"run.h5", "run.xmf", "series.csv", "summary.json", "log.txt"})
-    std::filesystem::remove(out / name, ignored);
+  if (!restart.empty())
+    take_over(restart.parent_path(), out);
+  else
+    for (auto const* name : files_of_run) std::filesystem::remove(out / name, ignored);
 
   // With the files that it names beside it, the scene as run can be run again from there.
   auto const folder = std::filesystem::path(source.file).parent_path();

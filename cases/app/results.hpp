@@ -8,9 +8,11 @@ namespace velum::cases {
 /// Makes the results folder ready: creates it, proves that files can be written there, removes what
 /// an earlier run left under velum's own file names, and writes the scene as run, scene.toml, with
 /// the files that it names.
+/// @param restart  checkpoint that the run goes on from, or empty: with one nothing is removed, and
+///                 what the earlier run left beside it is copied where `out` is another folder
 /// @throws core::InputError  the folder cannot be made or written, before anything is computed
 void prepare_results(SceneFile const& source, std::vector<std::string> const& files,
-                     std::filesystem::path const& out);
+                     std::filesystem::path const& out, std::filesystem::path const& restart = {});
 
 /// Names of the files beside a scene that it reads.
 /// @param others  besides those of solids and materials; empty names count for none

@@ -25,9 +25,10 @@ core::Symmetry symmetry_of(Fidelity fidelity, SceneTable& root)
 
 Scene compose(SceneTable root)
 {
-  root.allow({"name",    "fidelity", "lattice",  "fluid",    "les",     "solid",     "inlet",
-              "outlet",  "boundary", "material", "membrane", "contact", "gap",       "chamber",
-              "orifice", "coupling", "run",      "initial",  "probe",   "reference", "chart"});
+  root.allow({"name",    "fidelity", "lattice",   "fluid",    "les",      "solid",
+              "inlet",   "outlet",   "boundary",  "material", "membrane", "contact",
+              "gap",     "chamber",  "orifice",   "coupling", "run",      "start",
+              "initial", "probe",    "reference", "chart"});
   std::string name = root.text("name");
   if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.'))
     root.fail("name", "is used as the name of the results folder: no slashes, no dot in front.");
@@ -72,6 +73,7 @@ Scene compose(SceneTable root)
   if (root.has("orifice"))
     for (auto const& [key, table] : root.table("orifice").tables())
       scene.orifices.push_back(read_orifice(table, key));
+  if (root.has("start")) scene.start = read_start(root.table("start"));
   if (root.has("initial")) scene.initial = read_initial(root.table("initial"));
   if (root.has("probe"))
     for (auto const& [key, table] : root.table("probe").tables())

@@ -174,9 +174,18 @@ struct Schedule {
   double settle = 0;
   double shut = 0;
   double output_every;
-  double end;           // settle + shut unless given
-  double sample_every;  // rows of the series; output_every unless given
-  double steady = 0;    // ends the run below this relative change; 0: never
+  double end;                                // settle + shut unless given
+  double sample_every;                       // rows of the series; output_every unless given
+  double steady = 0;                         // ends the run below this relative change; 0: never
+  std::optional<double> checkpoint_every{};  // empty: a tenth of the run
+  int fall_back = 0;  // so often a run that diverges goes on from its last checkpoint, slower
+};
+
+/// What a coupled run begins with: the scene, or another one of the same lattice and membrane,
+/// marched for some time with all that drives it as it is at t = 0.
+struct Start {
+  double settle;        // for so long
+  std::string scene{};  // file of the other one, beside this one; empty: this one
 };
 
 /// Where a scene comes from.
@@ -203,6 +212,7 @@ struct Scene {
   std::vector<OrificeSection> orifices{};
   Coupling coupling{};
   Schedule run;
+  std::optional<Start> start{};
   InitialState initial{};
   std::vector<Probe> probes{};
   std::optional<Reference> reference{};

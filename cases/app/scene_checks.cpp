@@ -224,6 +224,7 @@ void check_scene(Scene const& scene)
     reject(scene, "fidelity", "= \"hydrostatic\" needs a membrane; the scene has none.");
   check_network(scene);
   check_flow(scene);
+  check_march(scene);
   if (reference_velocity(scene) == 0 && !scene.lattice.time_step &&
       scene.fidelity != Fidelity::hydrostatic)
     reject(scene, "lattice",

@@ -15,6 +15,13 @@ void check_flow(Scene const& scene);
 /// The part about chambers, orifices, ports and what the lumped fidelity needs.
 void check_network(Scene const& scene);
 
+/// Whether a run marches fluid and membrane together with a membrane whose state can be kept: then
+/// it writes checkpoints and may begin with [start].
+bool can_be_kept(Scene const& scene);
+
+/// The part about how a run begins and is kept: [start], run.checkpoint_every.
+void check_march(Scene const& scene);
+
 /// Throws core::InputError: the name under the key names nothing of that kind; says the nearest one
 /// or all that are known.
 [[noreturn]] void reject_name(Scene const& scene, std::string const& key, std::string const& name,

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace velum::cases {
 
 using core::Dimension;
 
 Schedule read_schedule(SceneTable table)
 {
-  table.allow({"settle", "shut", "end", "output_every", "sample_every", "steady"});
+  table.allow({"settle", "shut", "end", "output_every", "sample_every", "steady",
+               "checkpoint_every", "fall_back"});
   Schedule run{.output_every = 0, .end = 0, .sample_every = 0};
   run.shut = table.quantity("shut", Dimension::time, Sign::not_negative, 0.0);
   if (table.has("end")) {
@@ -22,9 +25,26 @@ Schedule read_schedule(SceneTable table)
   run.output_every = table.quantity("output_every", Dimension::time, Sign::positive, run.end);
   run.sample_every =
       table.quantity("sample_every", Dimension::time, Sign::positive, run.output_every);
+  if (table.has("checkpoint_every"))
+    run.checkpoint_every = table.quantity("checkpoint_every", Dimension::time, Sign::positive);
+  if (table.has("fall_back")) {
+    double const times = table.number("fall_back", 1);
+    if (times != std::floor(times) || times > 10)
+      table.fail("fall_back",
+                 fmt::format("must be a whole number from 1 to 10, but is {}.", times));
+    run.fall_back = static_cast<int>(times);
+  }
   if (table.has("steady")) run.steady = table.number("steady", 0);
   if (run.steady >= 1) table.fail("steady", fmt::format("must be below 1, but is {}.", run.steady));
   return run;
+}
+
+Start read_start(SceneTable table)
+{
+  table.allow({"settle", "scene"});
+  Start start{.settle = table.quantity("settle", Dimension::time, Sign::positive)};
+  if (table.has("scene")) start.scene = table.file_name("scene");
+  return start;
 }
 
 InitialState read_initial(SceneTable table)

@@ -20,6 +20,7 @@ ChamberSection read_chamber(SceneTable table, std::string name);
 OrificeSection read_orifice(SceneTable table, std::string name);
 Coupling read_coupling(SceneTable table);
 Schedule read_schedule(SceneTable table);
+Start read_start(SceneTable table);
 InitialState read_initial(SceneTable table);
 Probe read_probe(SceneTable table, std::string name);
 Reference read_reference(SceneTable table);

@@ -8,6 +8,8 @@ namespace velum::cases {
 struct RunOptions {
   std::filesystem::path out;  // absolute, exists
   bool quiet = false;
+  std::filesystem::path restart = {};  // checkpoint to go on from; empty: from the start
+  std::vector<std::string> set = {};   // overrides, for another scene that this one starts from
 };
 
 /// Runs a scene to its end and leaves its results in the folder; prints the certificate.

@@ -19,6 +19,8 @@ void catch_stop_signals()
   sigaction(SIGTERM, &action, nullptr);
 }
 
+void request_stop(bool stop) { requested = stop; }
+
 bool stop_requested() { return requested != 0; }
 
 }  // namespace velum::cases

@@ -12,6 +12,9 @@ struct Stopped : std::runtime_error {
 /// process at once.
 void catch_stop_signals();
 
+/// Asks as a signal would, or takes it back.
+void request_stop(bool stop = true);
+
 /// True once a signal has asked the run to stop; to be asked between steps.
 bool stop_requested();
 

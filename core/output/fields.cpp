@@ -21,6 +21,8 @@ hid_t type_of(std::vector<float> const&) { return H5T_NATIVE_FLOAT; }
 hid_t type_of(std::vector<double> const&) { return H5T_NATIVE_DOUBLE; }
 hid_t type_of(std::vector<std::int32_t> const&) { return H5T_NATIVE_INT32; }
 
+std::string dump_name(int number) { return fmt::format("dump_{:06}", number); }
+
 char const* name_of(Symmetry symmetry)
 {
   switch (symmetry) {
@@ -160,13 +162,28 @@ FieldsFile create_fields(std::filesystem::path const& folder, std::optional<Grid
   return file;
 }
 
+FieldsFile resume_fields(std::filesystem::path const& folder, std::optional<Grid> const& grid,
+                         int dumps, std::string times)
+{
+  FieldsFile file{folder / data_name, folder / "run.xmf", grid, dumps, std::move(times)};
+  {
+    auto const root = hdf5::open_file(file.data);
+    require(dumps == 0 || hdf5::contains(root, dump_name(dumps - 1)),
+            fmt::format("{} has fewer dumps than the run had written.", file.data.string()));
+    // one that was cut short by the end of the earlier run is the last
+    for (int k = dumps; hdf5::contains(root, dump_name(k)); ++k) hdf5::remove(root, dump_name(k));
+  }
+  write_atomically(file.index, xdmf::index(file.times));
+  return file;
+}
+
 void write_fields(FieldsFile& file, double time, std::vector<Field> const& fluid,
                   std::vector<Curve> const& curves, std::vector<Surface> const& surfaces)
 {
   std::string members;
   {
     auto const root = hdf5::open_file(file.data);
-    std::string const name = fmt::format("dump_{:06}", file.dumps), path = "/" + name;
+    std::string const name = dump_name(file.dumps), path = "/" + name;
     auto const dump = hdf5::create_group(root, name);
     hdf5::write_attribute(dump, "time", time);
 

@@ -64,6 +64,13 @@ struct FieldsFile {
 FieldsFile create_fields(std::filesystem::path const& folder, std::optional<Grid> const& grid,
                          Assumptions const& assumptions);
 
+/// Goes on with the files of an earlier run, as FieldsFile was after `dumps` dumps: later ones are
+/// dropped.
+/// @param times  of that FieldsFile
+/// @throws InputError  they are gone or damaged, or have fewer dumps
+FieldsFile resume_fields(std::filesystem::path const& folder, std::optional<Grid> const& grid,
+                         int dumps, std::string times);
+
 /// Adds the state at a time (s) to both files.
 /// @param fluid  arrays on the cells of the grid; none without one
 /// @throws InputError  they cannot be written; an array of the wrong length; a name that is taken

@@ -59,6 +59,16 @@ Handle create_group(hid_t parent, std::string const& name)
                  name);
 }
 
+bool contains(hid_t parent, std::string const& name)
+{
+  return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+void remove(hid_t parent, std::string const& name)
+{
+  check(H5Ldelete(parent, name.c_str(), H5P_DEFAULT), name);
+}
+
 void write_attribute(hid_t object, std::string const& name, std::string const& text)
 {
   Handle const type(H5Tcopy(H5T_C_S1), H5Tclose);

@@ -37,6 +37,10 @@ Handle open_file(std::filesystem::path const& path);
 
 Handle create_group(hid_t parent, std::string const& name);
 
+bool contains(hid_t parent, std::string const& name);
+/// Takes a group or array out of the file; its room is not given back.
+void remove(hid_t parent, std::string const& name);
+
 void write_attribute(hid_t object, std::string const& name, std::string const& text);
 void write_attribute(hid_t object, std::string const& name, double value);
 void write_attribute(hid_t object, std::string const& name, int value);

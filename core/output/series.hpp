@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -17,13 +18,20 @@ struct Column {
 struct Series {
   std::filesystem::path path;
   std::ofstream file;
-  std::size_t columns;  // without the first
+  std::size_t columns;    // without the first
+  std::int64_t rows = 0;  // written so far
 };
 
 /// Starts the file with its header.
 /// @throws InputError  the file cannot be written, or a name cannot stand in a header
 Series start_series(std::filesystem::path const& file, std::vector<Column> const& columns,
                     Column const& first = {"time", "s"});
+
+/// Goes on with the file of an earlier run: its header and first rows are kept, later ones dropped.
+/// Where it has fewer, or is gone, it goes on with what there is.
+/// @throws InputError  it has other columns, or cannot be written
+Series resume_series(std::filesystem::path const& file, std::vector<Column> const& columns,
+                     std::int64_t rows, Column const& first = {"time", "s"});
 
 /// Adds the row at a time; every number reads back as the same double ("nan" and "inf" as such).
 /// @param values  one per column, in their order, SI

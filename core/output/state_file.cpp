@@ -92,6 +92,16 @@ void StateFile::text(std::string const& name, std::string& value)
   field(name, reinterpret_cast<std::uint8_t*>(value.data()), value.size());
 }
 
+void StateFile::same(std::string const& name, double value, std::string const& what)
+{
+  double found = value;
+  field(name, found);
+  require(found == value,
+          fmt::format("{} has {} for \"{}\" where this scene has {}: it is the state "
+                      "of {}.",
+                      file_->path.string(), found, name, value, what));
+}
+
 void StateFile::commit()
 {
   require(H5Fflush(*file_->handle, H5F_SCOPE_GLOBAL) >= 0,

@@ -33,6 +33,15 @@ class StateFile {
   {
     field(name, values.data(), values.size());
   }
+  /// An array of any length; what is read has that of the file.
+  template <class T>
+  void list(std::string const& name, std::vector<T>& values)
+  {
+    auto length = values.size();
+    number(name + " length", length);
+    values.resize(length);
+    field(name, values);
+  }
   void field(std::string const& name, double& value) { field(name, &value, 1); }
   void field(std::string const& name, std::int64_t& value) { field(name, &value, 1); }
   /// Any whole number or choice.
@@ -44,6 +53,9 @@ class StateFile {
     value = static_cast<T>(wide);
   }
   void text(std::string const& name, std::string& value);
+  /// Writes a number that the reader must have too, and refuses another one.
+  /// @param what  it is a state of, where the numbers differ: "another time step"
+  void same(std::string const& name, double value, std::string const& what);
 
   /// Ends writing.
   void commit();

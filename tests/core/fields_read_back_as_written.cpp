@@ -49,6 +49,26 @@ double number_attribute(hid_t object, char const* name)
   return value;
 }
 
+TEST(Fields, go_on_after_the_dumps_that_count)
+{
+  Scratch const whole("fields_whole"), split("fields_split");
+  SampleRun const run;
+  run.write(whole.folder, 3);
+  auto file = run.write(split.folder, 1);
+  auto const times = file.times;
+  for (int dump : {7, 8}) write_fields(file, dump, run.fluid(dump), run.bodies(dump));
+  file = resume_fields(split.folder, run.grid, 1, times);
+  for (int dump : {1, 2}) write_fields(file, 0.001 * dump, run.fluid(dump), run.bodies(dump));
+  EXPECT_EQ(text_of(split.folder / "run.xmf"), text_of(whole.folder / "run.xmf"));
+  auto const root = open_to_read(file);
+  EXPECT_FALSE(hdf5::contains(root, "dump_000003"));
+  Handle const dump(H5Gopen2(root, "dump_000002", H5P_DEFAULT), H5Gclose);
+  EXPECT_EQ(number_attribute(dump, "time"), 0.002);
+  EXPECT_THROW(resume_fields(split.folder, run.grid, 9, times), InputError);
+  std::filesystem::resize_file(file.data, 100);
+  EXPECT_THROW(resume_fields(split.folder, run.grid, 1, times), InputError);
+}
+
 TEST(Fields, arrays_read_back_with_shape_type_and_unit)
 {
   Scratch const scratch("fields");

@@ -36,6 +36,27 @@ TEST(Series, refuses_what_would_break_the_table)
   EXPECT_THROW(start_series(scratch.folder / "nowhere" / "series.csv", {}), InputError);
 }
 
+TEST(Series, goes_on_after_the_rows_that_count)
+{
+  Scratch const scratch("series");
+  auto const file = scratch.folder / "series.csv";
+  std::vector<Column> const columns = {{"leak", "m3/s"}};
+  {
+    auto series = start_series(file, columns);
+    for (int k = 0; k < 4; ++k) append(series, k, {10.0 * k});
+    EXPECT_EQ(series.rows, 4);
+    series.file << "4,4";  // cut short
+  }
+  for (int const rows : {9, 2}) {
+    auto series = resume_series(file, columns, rows);
+    EXPECT_EQ(series.rows, rows == 9 ? 4 : 2);
+    append(series, 7, {70});
+    EXPECT_TRUE(text_of(file).ends_with(rows == 9 ? "\n3,30\n7,70\n" : "\n1,10\n7,70\n"));
+  }
+  EXPECT_THROW(resume_series(file, {{"flow", "m3/s"}}, 1), InputError);
+  EXPECT_EQ(resume_series(scratch.folder / "new.csv", columns, 3).rows, 0);
+}
+
 TEST(Series, says_when_the_disk_is_full)
 {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "skipped: there is no /dev/full";
