@@ -30,8 +30,7 @@ struct Coupled {
   std::variant<structure::ExplicitStepper, structure::ImplicitStepper> stepper;
   std::vector<structure::Load> loads;  // spring and contact
   std::shared_ptr<SeatContact> seat;   // empty without contact
-  std::optional<Chambers> chambers;    // lumped, where the scene has any; only explicit sub-steps
-                                       // carry them
+  std::optional<Chambers> chambers;    // lumped, where the scene has any
   core::Obstacle walls;                // all rigid solids
   FacePressure pressure;
   Scheme scheme = Scheme::implicit;

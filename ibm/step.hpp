@@ -69,13 +69,13 @@ template <class Real, template <class> class Body>
 Eigen::VectorXd const& take_step(Coupled<Real, Body>& s, Eigen::VectorXd const& F0,
                                  std::span<Eigen::Matrix2d const> Z)
 {
+  structure::Enclosures* const enclosed = s.chambers ? &s.chambers->enclosed : nullptr;
   if (auto* const implicit = std::get_if<structure::ImplicitStepper>(&s.stepper)) {
-    structure::advance(*implicit, s.membrane, F0, Z, 1.0, s.loads);
+    structure::advance(*implicit, s.membrane, F0, Z, 1.0, s.loads, enclosed);
     return implicit->mean;
   }
   auto& stepper = std::get<structure::ExplicitStepper>(s.stepper);
-  return structure::advance(stepper, s.membrane, F0, Z, 1.0, s.substeps, s.loads,
-                            s.chambers ? &s.chambers->enclosed : nullptr);
+  return structure::advance(stepper, s.membrane, F0, Z, 1.0, s.substeps, s.loads, enclosed);
 }
 
 /// Moves the membrane under the fluid's force F0 - Z v and returns its mean velocity.

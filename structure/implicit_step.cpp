@@ -1,6 +1,7 @@
 #include "structure/implicit_step.hpp"
 
 #include "core/check.hpp"
+#include "structure/enclosed_newton.hpp"
 #include "structure/generalised_alpha.hpp"
 #include "structure/mass.hpp"
 #include "structure/restrained.hpp"
@@ -50,12 +51,13 @@ Eigen::VectorXd times_mass(ImplicitStepper const& s, Eigen::VectorXd a)
 /// First acceleration, damped by Z as a step of length dt would: where Z stops the body within a
 /// step, the acceleration of the instant would ring for long.
 template <class Body>
-void start(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall, double dt,
-           std::span<Load const> loads)
+void start(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
+           EnclosedNewton const& enclosed, double dt, std::span<Load const> loads)
 {
   constexpr int d = Body::dimension;
   Eigen::VectorXd force = -damping_force(s, m.velocity);
   add(wall, m.velocity, force);
+  if (enclosed.volumes) force += enclosed.volumes->area * enclosed.volumes->pressure;
   for (auto const& load : loads) load(m.position, force, nullptr);
   add_elastic_force(m, m.position, force);
   for (int a = 0; a < node_count(m); ++a) {
@@ -90,8 +92,9 @@ Eigen::VectorXd per_component(Eigen::VectorXd const& nodal, int d)
 /// One step of length dt from old; next holds the result where it converged. A tangent serves for
 /// as long as its corrections converge well, from step to step.
 template <class Body>
-Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall, State const& old,
-                 State& next, double dt, std::span<Load const> loads)
+Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
+                 EnclosedNewton& enclosed, State const& old, State& next, double dt,
+                 std::span<Load const> loads)
 {
   auto const w = weights(s.rho_inf);
   Outcome outcome;
@@ -111,6 +114,7 @@ Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
     Eigen::VectorXd const damping = damping_force(s, (1 - w.alpha_f) * next.v + w.alpha_f * old.v);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(xf.size()), elastic = load;
     add(wall, mean, load);
+    push(enclosed, mean, dt, load);
     for (auto const& l : loads) l(xf, load, nullptr);
     add_elastic_force(m, xf, elastic);
     double const scale = std::max(
@@ -130,8 +134,8 @@ Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
     bool const hopeless = !std::isfinite(now) || (iteration > 3 && now > 2 * previous);
     if (outcome.converged || hopeless || iteration == max_newton) {
       if (outcome.converged && iteration > 0) {  // what is left is not left to add up either
-        next.a += solve(*s.newton, residual) / (w.beta * dt * dt);
-        follow(old, next, dt, w);
+        next.a += correction(enclosed, *s.newton, residual) / (w.beta * dt * dt);
+        push(enclosed, follow(old, next, dt, w), dt, load);
       }
       outcome.converged = outcome.converged && !jumped(m, old.x, next.x);
       if (outcome.converged && keeps && iteration <= few)
@@ -142,10 +146,12 @@ Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
     bool const slow = iteration > 0 && now > good_rate * previous;
     keeps = keeps && !slow;
     bool const fresh = slow || (iteration == 0 && served == 0);
-    if ((fresh || iteration == 0) && !factorise(s, m, wall, fresh ? &xf : nullptr, dt, w, loads))
-      return outcome;
+    if (fresh || iteration == 0) {
+      if (!factorise(s, m, wall, fresh ? &xf : nullptr, dt, w, loads)) return outcome;
+      prepare(enclosed, *s.newton, m.fixed, dt);
+    }
     previous = now;
-    next.a += solve(*s.newton, residual) / (w.beta * dt * dt);
+    next.a += correction(enclosed, *s.newton, residual) / (w.beta * dt * dt);
     ++outcome.iterations;
   }
 }
@@ -176,10 +182,14 @@ ImplicitStepper implicit_stepper(Body const& m, Rayleigh const& damping,
 
 template <class Body>
 ImplicitReport advance(ImplicitStepper& s, Body& m, Eigen::VectorXd const& F0,
-                       std::span<NodeBlock<Body> const> Z, double dt, std::span<Load const> loads)
+                       std::span<NodeBlock<Body> const> Z, double dt, std::span<Load const> loads,
+                       Enclosures* volumes)
 {
   WallForce<Body> const wall{F0, Z};
-  if (s.acceleration.size() == 0) start(s, m, wall, dt, loads);
+  EnclosedNewton enclosed;
+  enclosed.volumes = volumes;
+  if (volumes) volumes->mean = Eigen::VectorXd::Zero(volumes->pressure.size());
+  if (s.acceleration.size() == 0) start(s, m, wall, enclosed, dt, loads);
   ImplicitReport report;
   double done = 0, part = 1;  // shares of dt
   State next;
@@ -187,11 +197,15 @@ ImplicitReport advance(ImplicitStepper& s, Body& m, Eigen::VectorXd const& F0,
   while (done < 1) {
     part = std::min(part, 1 - done);
     State const old{m.position, m.velocity, s.acceleration};
-    auto const outcome = try_step(s, m, wall, old, next, part * dt, loads);
+    auto const outcome = try_step(s, m, wall, enclosed, old, next, part * dt, loads);
     report.iterations += outcome.iterations;
     if (outcome.converged) {
       s.mean += part * mean_velocity(old, next, part * dt, weights(s.rho_inf));
       m.position = next.x, m.velocity = next.v, s.acceleration = next.a;
+      if (volumes) {
+        volumes->pressure = enclosed.pressure;
+        volumes->mean += part * enclosed.pressure;
+      }
       report.residual = std::max(report.residual, outcome.residual);
       ++report.steps;
       done += part;
@@ -225,8 +239,10 @@ template ImplicitStepper implicit_stepper(Sheet const&, Rayleigh const&, Eigen::
 template ImplicitReport advance(ImplicitStepper&, Membrane&, double, std::span<Load const>);
 template ImplicitReport advance(ImplicitStepper&, Sheet&, double, std::span<Load const>);
 template ImplicitReport advance(ImplicitStepper&, Membrane&, Eigen::VectorXd const&,
-                                std::span<Eigen::Matrix2d const>, double, std::span<Load const>);
+                                std::span<Eigen::Matrix2d const>, double, std::span<Load const>,
+                                Enclosures*);
 template ImplicitReport advance(ImplicitStepper&, Sheet&, Eigen::VectorXd const&,
-                                std::span<Eigen::Matrix3d const>, double, std::span<Load const>);
+                                std::span<Eigen::Matrix3d const>, double, std::span<Load const>,
+                                Enclosures*);
 
 }  // namespace velum::structure

@@ -1,5 +1,6 @@
 #pragma once
 #include "structure/damping.hpp"
+#include "structure/enclosure.hpp"
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
 #include "structure/newton_matrix.hpp"
@@ -69,9 +70,12 @@ ImplicitReport advance(ImplicitStepper& stepper, Body& m, double dt, std::span<L
 /// 1 - alpha_f of it; second for rho_inf = 1. Stable for Z of any size, which rho_inf < 1 damps
 /// within a few steps.
 /// @param F0  force at zero wall velocity                                   [2N or 3N]
-/// @param Z   symmetric positive semi-definite block per node, or empty     [N]
+/// @param Z         symmetric positive semi-definite block per node, or empty     [N]
+/// @param enclosed  volumes whose pressures push the body, found with its motion (enclosure.hpp; p'
+///                  of each sub-cycled step by the mean velocity over it), or null
 template <class Body>
 ImplicitReport advance(ImplicitStepper& stepper, Body& m, Eigen::VectorXd const& F0,
-                       std::span<NodeBlock<Body> const> Z, double dt, std::span<Load const> loads);
+                       std::span<NodeBlock<Body> const> Z, double dt, std::span<Load const> loads,
+                       Enclosures* enclosed = nullptr);
 
 }  // namespace velum::structure

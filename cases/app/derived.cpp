@@ -128,11 +128,6 @@ std::optional<structure::TimeScheme> asked_scheme(Scene const& scene)
   return {};
 }
 
-bool carries_chambers(Scene const& scene)
-{
-  return !scene.chambers.empty() || scene.gap.cells > 0 || scene.fidelity == Fidelity::lumped;
-}
-
 /// Square of the angular frequency of the lightest part of the membrane on the seat's penalty.
 double contact_frequency2(Scene const& scene, Derived const& d)
 {
@@ -157,12 +152,12 @@ void derive_membrane(Scene const& scene, Derived& d)
       1 / std::sqrt(1 / (d.structure_step * d.structure_step) + contact_frequency2(scene, d) / 4);
   d.membrane_scheme = chosen_scheme(asked_scheme(scene), 1e6 * d.units.dt, 1e6 * closed,
                                     structure::coupled_cost_ratio(membrane), "us");
-  if (carries_chambers(scene)) {
+  if (scene.fidelity == Fidelity::lumped) {
     int const substeps = structure::substeps_for(d.units.dt, closed);
-    d.membrane_scheme = {structure::TimeScheme::explicit_substeps, substeps,
-                         fmt::format("explicit, {} sub-steps: only they carry the pressures of "
-                                     "chambers; of itself: {}",
-                                     substeps, d.membrane_scheme.sentence)};
+    d.membrane_scheme = {
+        structure::TimeScheme::explicit_substeps, substeps,
+        fmt::format("explicit, {} sub-steps, always without a lattice; of itself: {}", substeps,
+                    d.membrane_scheme.sentence)};
   }
   // The undamped limit is 2 / omega, so omega^2 = 4 / step^2.
   if (material.damping_stiffness > 0)

@@ -10,6 +10,7 @@
 //             rounding
 #include "ibm/network.hpp"
 #include "structure/explicit_step.hpp"
+#include "structure/implicit_step.hpp"
 #include "structure/mass.hpp"
 #include "structure/pressure_load.hpp"
 #include "tests/support/order.hpp"
@@ -161,6 +162,30 @@ TEST(Chamber, a_piston_swings_on_it_at_any_number_of_sub_steps)
       Eigen::VectorXd const none = Eigen::VectorXd::Zero(p.body.position.size());
       auto const& v = structure::advance(p.stepper, p.body, none, {}, h, substeps, {}, &enclosed);
       volume += h * p.area.col(0).dot(v);
+      double const inside = enclosed.pressure[0];
+      take_over(network, flows, enclosed, {volume}, h);
+      EXPECT_NEAR(network.chambers[0].pressure, inside, 1e-12);
+      return network.chambers[0].pressure;
+    };
+    EXPECT_NEAR(period(step, h), T, 5e-3 * T);
+  }
+}
+
+TEST(Chamber, a_piston_swings_on_it_in_implicit_steps_too)
+{
+  double const M = 2, C = 0.05, T = 2 * std::numbers::pi * std::sqrt(C * M), h = T / 400;
+  for (double const rho_inf : {1.0, 0.5}) {
+    auto p = piston();
+    auto stepper = structure::implicit_stepper(p.body, {}, rho_inf);
+    Network network{{{C, 1, 0}}, {}, {}};
+    fill(network, {0});
+    double volume = 0;
+    auto const step = [&] {
+      auto const flows = linearised(network, h);
+      auto enclosed = enclosures(network, flows, p.area);
+      Eigen::VectorXd const none = Eigen::VectorXd::Zero(p.body.position.size());
+      structure::advance(stepper, p.body, none, {}, h, {}, &enclosed);
+      volume += h * p.area.col(0).dot(stepper.mean);
       double const inside = enclosed.pressure[0];
       take_over(network, flows, enclosed, {volume}, h);
       EXPECT_NEAR(network.chambers[0].pressure, inside, 1e-12);
