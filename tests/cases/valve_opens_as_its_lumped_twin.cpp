@@ -8,42 +8,20 @@
 // why:       the lattice adds the losses of chamber and bore, which take some 2 % of p_in, and the
 //            closure's flow goes with the gap that they leave: 20 % is what 2 % of pressure does
 //            here; walls that interpolate lose some water where the jet meets them
+#include "cases/app/history.hpp"
 #include "tests/core/scratch.hpp"
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <map>
-#include <sstream>
+#include <cmath>
 #include <string>
-#include <vector>
 
 namespace velum::tests {
 namespace {
 
-/// Columns of a series.csv by name.
-std::map<std::string, std::vector<double>> series_of(std::filesystem::path const& folder)
-{
-  std::ifstream file(folder / "series.csv");
-  std::string line, cell;
-  std::getline(file, line);
-  std::vector<std::string> names;
-  for (std::istringstream head(line); std::getline(head, cell, ',');)
-    names.push_back(cell.substr(0, cell.find(" [")));
-  std::map<std::string, std::vector<double>> columns;
-  while (std::getline(file, line)) {
-    std::istringstream row(line);
-    for (auto const& name : names) {
-      std::getline(row, cell, ',');
-      columns[name].push_back(std::stod(cell));
-    }
-  }
-  return columns;
-}
-
-std::map<std::string, std::vector<double>> run_valve(Scratch const& out, std::string const& options)
+cases::History run_valve(Scratch const& out, std::string const& options)
 {
   auto const run = velum_program("run cases/valve_on_off/scene.toml --out '" + out.folder.string() +
                                  "' --set 'run.end=20 ms' --set 'lattice.dx=150 um'"
@@ -51,16 +29,16 @@ std::map<std::string, std::vector<double>> run_valve(Scratch const& out, std::st
                                  " --threads 1 --quiet" +
                                  options);
   EXPECT_EQ(run.exit_code, 0) << run.text;
-  return series_of(out.folder);
+  return cases::read_history(out.folder / "series.csv");
 }
 
 /// Change of a column from the first sample at or after a time to the last, per time.
-double rate(std::map<std::string, std::vector<double>> const& s, std::string const& name, double t)
+double rate(cases::History const& s, std::string const& name, double t)
 {
-  auto const& time = s.at("time");
   auto const k =
-      static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
-  return (s.at(name).back() - s.at(name)[k]) / (time.back() - time[k]);
+      static_cast<std::size_t>(std::lower_bound(s.time.begin(), s.time.end(), t) - s.time.begin());
+  auto const column = s.column(name);
+  return (column.back() - column[k]) / (s.time.back() - s.time[k]);
 }
 
 TEST(Valve, opens_as_its_lumped_twin)
@@ -69,23 +47,23 @@ TEST(Valve, opens_as_its_lumped_twin)
   auto const lattice = run_valve(lattice_folder, "");
   auto const lumped = run_valve(lumped_folder, " --set fidelity=lumped");
   for (auto const& s : {lattice, lumped}) {
-    auto const& gap = s.at("gap");
+    auto const gap = s.column("gap");
     auto const opens = std::find_if(gap.begin(), gap.end(), [](double g) { return g > 1e-6; });
     ASSERT_NE(opens, gap.end());
-    double const at = s.at("pressure_pilot")[static_cast<std::size_t>(opens - gap.begin())];
+    double const at = s.column("pressure_pilot")[static_cast<std::size_t>(opens - gap.begin())];
     EXPECT_NEAR(at / 300e3, 0.6, 0.04);
   }
-  double const p = lumped.at("pressure_pilot").back(), Q = lumped.at("flow").back();
-  EXPECT_NEAR(lattice.at("pressure_pilot").back(), p, 0.05 * p);
-  EXPECT_NEAR(lattice.at("flow").back(), Q, 0.2 * 100e-3 / 3600);
+  double const p = lumped.column("pressure_pilot").back(), Q = lumped.column("flow").back();
+  EXPECT_NEAR(lattice.column("pressure_pilot").back(), p, 0.05 * p);
+  EXPECT_NEAR(lattice.column("flow").back(), Q, 0.2 * 100e-3 / 3600);
   EXPECT_GT(Q, 60e-3 / 3600);
 
   double const through = rate(lattice, "leak_through_seat", 0.012);
   EXPECT_NEAR(rate(lattice, "outflow", 0.012), through, 0.05 * through);
   EXPECT_NEAR(rate(lattice, "inflow", 0.012), through, 0.05 * through);
-  auto const& time = lattice.at("time");
-  for (std::size_t k = 0; time[k] < 0.9e-3; ++k)
-    EXPECT_LT(std::abs(lattice.at("flow")[k]), 1e-3 * lattice.at("flow_pilot").back());
+  auto const flow = lattice.column("flow");
+  double const open = lattice.column("flow_pilot").back();
+  for (std::size_t k = 0; lattice.time[k] < 0.9e-3; ++k) EXPECT_LT(std::abs(flow[k]), 1e-3 * open);
 }
 
 }  // namespace
