@@ -19,6 +19,10 @@ Row gap_row(Scene const& scene)
     row.verdict = Verdict::red;
     row.remark =
         fmt::format("the membrane starts {:.3g} um inside the seat: move one of them", -1e6 * gap);
+  } else if (scene.gap.cells > 0 || scene.fidelity == Fidelity::lumped) {
+    row.remark = scene.fidelity == Fidelity::lumped
+                     ? "its flow is the closure's"
+                     : fmt::format("below {:.3g} its flow is the closure's", scene.gap.cells);
   } else if (gap > 0 && cells < 8) {
     row.verdict = Verdict::warn;
     row.remark =
@@ -31,7 +35,8 @@ Row land_row(Scene const& scene)
 {
   double const width = land_width(scene);
   Row row{"cells across the seat's land", width / scene.lattice.dx, "", Verdict::ok, ""};
-  if (row.value < 2) {
+  bool const closure = scene.gap.cells > 0 || scene.fidelity == Fidelity::lumped;
+  if (row.value < 2 && !closure) {
     row.verdict = Verdict::warn;
     row.remark = finer(0.5 * width) + " shows the pressure across it";
   }

@@ -49,6 +49,12 @@ def plateau(run: Path) -> list[list[str]]:
     return rows
 
 
+def label(run: Path) -> str:
+    """fid_100um_0.2 -> 100 um, Mach 0.2"""
+    parts = run.name.removeprefix("fid_").split("_")
+    return f"{parts[0].removesuffix('um')} um, Mach {parts[1]}" if len(parts) == 2 else parts[0]
+
+
 def chart(folder: Path, runs: list[Path], finest: Path) -> None:
     """Error of the flow's history, against the finest run's, over wall time."""
     fine = series(finest)
@@ -58,13 +64,16 @@ def chart(folder: Path, runs: list[Path], finest: Path) -> None:
         s = series(run)
         error = np.abs(np.interp(fine["time"], s["time"], s["flow"]) - fine["flow"]).mean() / scale
         lumped = json.loads((run / "summary.json").read_text())["assumptions"]["fidelity"] == "lumped"
-        axes.loglog(summary(run)["wall_time"], error, "s" if lumped else "o",
-                    color="#c8553d" if lumped else "#1b6ca8")
-        axes.annotate(run.name.removeprefix("fid_"), (summary(run)["wall_time"], error),
-                      textcoords="offset points", xytext=(5, 4), fontsize=7)
-    axes.set_xlabel("wall time (s), one thread or as run")
-    axes.set_ylabel(f"flow, mean distance from {finest.name.removeprefix('fid_')},\nshare of its largest")
-    axes.grid(True, which="both", linewidth=0.3)
+        axes.plot(summary(run)["wall_time"], 100 * error, "s" if lumped else "o",
+                  color="#c8553d" if lumped else "#1b6ca8")
+        axes.annotate(label(run), (summary(run)["wall_time"], 100 * error),
+                      textcoords="offset points", xytext=(6, 5), fontsize=7)
+    axes.set_xlim(0, 1.25 * max(summary(run)["wall_time"] for run in runs))
+    axes.set_ylim(0, None)
+    axes.margins(y=0.2)
+    axes.set_xlabel(f"wall time (s); {label(finest)}: {summary(finest)['wall_time']:.0f} s")
+    axes.set_ylabel(f"flow's mean distance from\n{label(finest)} (% of its largest)")
+    axes.grid(True, linewidth=0.3)
     save(figure, folder / "fidelity.png")
 
 
