@@ -7,7 +7,7 @@ namespace velum::ibm {
 
 namespace {
 
-/// Sites as far as this below the lowest point of the minus face need not be looked at.
+/// Axial place of the face where it is lowest, without its continuations.
 double lowest(FaceLine const& face)
 {
   double x = face.points[1][0];
@@ -57,6 +57,7 @@ bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls)
   if (classify(labels, surface))
     for (std::size_t k = 0; k < cells.state.size(); ++k)
       if (!walls.solid[k] && !held(k)) change(k, side(k));
+  // a site lower than this is farther from the face than any gap is wide
   double const far_below = lowest(surface.minus) - cells.gap_width - 1;
   for (auto const& [site, by_wall, seat] : cells.near) {
     auto const k = static_cast<std::size_t>(site);

@@ -1,26 +1,10 @@
 #pragma once
 #include "ibm/coupled.hpp"
+#include "ibm/gap_film.hpp"
 #include "lbm/bounce_back.hpp"
 #include "lbm/stream_and_collide.hpp"
 
 namespace velum::ibm {
-
-/// The edges of the gap as the lattice has them now become the links of their openings.
-template <class Real>
-void tie_gap(Coupled<Real, Sharp>& s)
-{
-  if (!s.chambers || !s.chambers->gap) return;
-  for (int side : {0, 1}) {
-    lbm::Opening& o = s.openings[s.chambers->gap->opening[side]];
-    o.links = s.body.gap_edge[side];
-    o.area = s.body.gap_area[side];
-  }
-}
-
-template <class Real, template <class> class Body>
-void tie_gap(Coupled<Real, Body>&)
-{
-}
 
 /// Walls at rest and openings write what they send back.
 template <class Real, template <class> class Body>
@@ -31,21 +15,6 @@ void apply_boundaries(Coupled<Real, Body>& s)
   lbm::bounce_back(s.fluid, s.body.resting, {});
   for (std::size_t k = 0; k < s.openings.size(); ++k)
     if (s.openings[k].area > 0) lbm::apply(s.fluid, s.openings[k], s.targets[k]);
-}
-
-/// Where the minus face has a film instead of fluid, and how its pressure falls.
-template <class Real>
-Film film_of(Coupled<Real, Sharp> const& s)
-{
-  Film film{s.walls, {}, film_closes, {}};
-  if (!s.chambers || !s.chambers->gap || s.body.cells.gap_width == 0) return film;
-  auto const& c = *s.chambers;
-  film.seat = s.seat->contact.obstacle;
-  film.seat_width = s.body.cells.gap_width;
-  if (!c.gap->gap.friction.empty())
-    film.outside_share = outside_share(
-        c.gap->gap, c.network.passages[static_cast<std::size_t>(c.gap->passage)].flow);
-  return film;
 }
 
 /// Adds the load of what the links of a sharp body do not feel: films, and faces between the links.
