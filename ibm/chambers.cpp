@@ -67,8 +67,7 @@ void begin_step(Chambers& c, std::vector<lbm::Opening>& openings,
 void end_step(Chambers& c, std::vector<lbm::Opening> const& openings, std::vector<double>& targets,
               Eigen::VectorXd const& velocity)
 {
-  add_swept(c.volume, c.enclosed, velocity, 1);
-  take_over(c.network, c.flows, c.enclosed, c.volume, 1);
+  take_over(c.network, c.flows, c.enclosed, velocity, 1);
   for (LatticePort const& p : c.ports) {
     double const area = area_of(p, openings);
     double const flow = c.network.ports[static_cast<std::size_t>(p.port)].flow;

@@ -31,7 +31,6 @@ struct Chambers {
   int above = -1;  // chamber on the plus side, or -1
   std::vector<LatticePort> ports;
   std::optional<GapFlow> gap;
-  std::vector<double> volume;     // of each chamber beyond that of the start: what was swept
   std::vector<LinearFlow> flows;  // of the step under way
   structure::Enclosures enclosed;
 };

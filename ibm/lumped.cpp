@@ -44,7 +44,6 @@ void locate(Lumped& s)
   Passage& passage = s.network.passages[static_cast<std::size_t>(s.gap_passage)];
   passage.loss = s.gap.loss;
   passage.inertance = s.gap.inertance;
-  s.volume.resize(s.network.chambers.size(), 0);
 }
 
 void step(Lumped& s, double h)
@@ -56,8 +55,7 @@ void step(Lumped& s, double h)
   Eigen::VectorXd const none = Eigen::VectorXd::Zero(s.membrane.position.size());
   Eigen::VectorXd const& velocity =
       structure::advance(s.stepper, s.membrane, none, {}, h, s.substeps, s.loads, &enclosed);
-  add_swept(s.volume, enclosed, velocity, h);
-  take_over(s.network, flows, enclosed, s.volume, h);
+  take_over(s.network, flows, enclosed, velocity, h);
 }
 
 }  // namespace velum::ibm

@@ -24,11 +24,10 @@ struct Lumped {
   int gap_passage;             // from outside to inside
   int substeps = 1;
 
-  SeatGap gap;                 // of the last step
-  std::vector<double> volume;  // of each chamber beyond that of the start: what the membrane swept
+  SeatGap gap;  // of the last step
 };
 
-/// Gap, its loss and the volumes of the present state.
+/// Gap and its loss in the present state.
 void locate(Lumped& s);
 
 /// One step of length h: membrane, contact, chamber pressures and flows, found together within each

@@ -88,7 +88,7 @@ structure::Enclosures enclosures(Network const& network, std::vector<LinearFlow>
 }
 
 void take_over(Network& network, std::vector<LinearFlow> const& flows,
-               structure::Enclosures const& after, std::vector<double> const& volume, double h)
+               structure::Enclosures const& after, Eigen::VectorXd const& velocity, double h)
 {
   for (Port& p : network.ports) p.flow = 0;
   auto const into = [&](int node, double q) {
@@ -106,26 +106,18 @@ void take_over(Network& network, std::vector<LinearFlow> const& flows,
     into(passage.from, -passage.flow);
     into(passage.to, passage.flow);
   }
+  Eigen::VectorXd const swept = h * (after.area.transpose() * velocity);
   for (std::size_t k = 0; k < network.chambers.size(); ++k) {
     Chamber& c = network.chambers[k];
-    c.pressure = c.compliance > 0 ? (c.content - volume[k]) / c.compliance
-                                  : after.pressure[static_cast<Eigen::Index>(k)];
+    auto const row = static_cast<Eigen::Index>(k);
+    c.swept += swept[row];
+    c.pressure = c.compliance > 0 ? (c.content - c.swept) / c.compliance : after.pressure[row];
   }
 }
 
-void add_swept(std::vector<double>& volume, structure::Enclosures const& enclosed,
-               Eigen::VectorXd const& velocity, double h)
+void fill(Network& network)
 {
-  Eigen::VectorXd const swept = h * (enclosed.area.transpose() * velocity);
-  volume.resize(static_cast<std::size_t>(swept.size()), 0);
-  for (std::size_t k = 0; k < volume.size(); ++k) volume[k] += swept[static_cast<Eigen::Index>(k)];
-}
-
-void fill(Network& network, std::vector<double> const& volume)
-{
-  for (std::size_t k = 0; k < network.chambers.size(); ++k)
-    network.chambers[k].content =
-        volume[k] + network.chambers[k].compliance * network.chambers[k].pressure;
+  for (Chamber& c : network.chambers) c.content = c.swept + c.compliance * c.pressure;
 }
 
 }  // namespace velum::ibm

@@ -13,6 +13,7 @@ struct Chamber {
   double compliance;  ///< volume at rest / bulk modulus: volume stored per pressure
   double pressure = 0;
   double content = 0;  ///< volume of liquid at rest density that it holds beyond its volume at rest
+  double swept = 0;    ///< its volume beyond that at rest: what a body has swept
 };
 
 /// A place whose pressure is given: a boundary, or a port of the lattice.
@@ -57,22 +58,17 @@ std::vector<LinearFlow> linearised(Network const& network, double h);
 structure::Enclosures enclosures(Network const& network, std::vector<LinearFlow> const& flows,
                                  Eigen::MatrixXd area);
 
-/// Takes over a step of length h: flows from the mean pressures, contents from the flows, pressures
-/// from contents and volumes,
-///   content += h (what flowed in),   p = (content - (volume - volume at rest)) / compliance,
+/// Takes over a step of length h: volumes from what the body swept, flows from the mean pressures,
+/// contents from the flows, pressures from contents and volumes,
+///   swept += h A^T vbar,   content += h (what flowed in),   p = (content - swept) / compliance,
 /// so that no liquid is lost however far the body moved. A chamber of no compliance keeps the
 /// pressure that the step found.
-/// @param volume  of each chamber beyond its volume at rest, after the step
+/// @param velocity  of the body, mean of the step [dN]
 void take_over(Network& network, std::vector<LinearFlow> const& flows,
-               structure::Enclosures const& after, std::vector<double> const& volume, double h);
-
-/// Adds to the volume of each chamber what the body swept in a step of length h.
-/// @param velocity  mean of the step [dN]
-void add_swept(std::vector<double>& volume, structure::Enclosures const& enclosed,
-               Eigen::VectorXd const& velocity, double h);
+               structure::Enclosures const& after, Eigen::VectorXd const& velocity, double h);
 
 /// Contents that go with the present pressures and volumes.
-void fill(Network& network, std::vector<double> const& volume);
+void fill(Network& network);
 
 /// Pressure of a node.
 double pressure(Network const& network, int node);

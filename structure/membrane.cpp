@@ -43,4 +43,12 @@ Membrane flat_membrane(FlatShape const& shape)
   return m;
 }
 
+std::vector<int> nodes_within(Membrane const& m, double radius)
+{
+  std::vector<int> nodes;
+  for (int a = 0; a < node_count(m); ++a)
+    if (m.reference[2 * a + 1] <= radius * (1 + 1e-9)) nodes.push_back(a);
+  return nodes;
+}
+
 }  // namespace velum::structure

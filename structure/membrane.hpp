@@ -45,6 +45,9 @@ Membrane flat_membrane(FlatShape const& shape);
 inline int node_count(Membrane const& m) { return static_cast<int>(m.reference.size()) / 2; }
 inline int element_count(Membrane const& m) { return node_count(m) - 1; }
 
+/// Nodes that lie, undeformed, within a radius of the axis (planar: a height).
+std::vector<int> nodes_within(Membrane const& m, double radius);
+
 /// True where the chain starts on the axis of revolution: its mirror image continues it.
 inline bool starts_on_axis(Membrane const& m)
 {

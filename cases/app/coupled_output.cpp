@@ -11,25 +11,16 @@ namespace {
 
 std::vector<core::Column> columns(Scene const& scene)
 {
-  std::vector<core::Column> c = {{"pressure_above", "Pa"},
-                                 {"pressure_outside", "Pa"},
-                                 {"pressure_inside", "Pa"},
-                                 {"centre", "m"},
-                                 {"penetration", "m"},
-                                 {"seat_force", "N"},
-                                 {"outflow", "m3"},
-                                 {"inflow", "m3"},
-                                 {"leak_through_seat", "m3"},
-                                 {"leak_through_membrane", "m3"},
-                                 {"volume_inside", "m3"},
-                                 {"speed_max", "m/s"},
-                                 {"sealed", "1"},
-                                 {"gap", "m"},
-                                 {"flow", "m3/s"},
-                                 {"gap_by_law", "1"}};
-  auto const more = network_columns(scene);
-  c.insert(c.end(), more.begin(), more.end());
-  return c;
+  return valve_columns(scene, {{"outflow", "m3"},
+                               {"inflow", "m3"},
+                               {"leak_through_seat", "m3"},
+                               {"leak_through_membrane", "m3"},
+                               {"volume_inside", "m3"},
+                               {"speed_max", "m/s"},
+                               {"sealed", "1"},
+                               {"gap", "m"},
+                               {"flow", "m3/s"},
+                               {"gap_by_law", "1"}});
 }
 
 std::vector<double> row(Measurement const& m)

@@ -69,8 +69,7 @@ void add_chambers(CoupledScene<Real, Body>& s, Scene const& scene)
     c.ports.push_back(std::move(port));
   }
   if (scene.gap.cells > 0) add_gap(s, scene, c);
-  c.volume.resize(c.network.chambers.size(), 0);
-  fill(c.network, c.volume);
+  fill(c.network);
   s.state.chambers = std::move(c);
 }
 

@@ -57,11 +57,11 @@ void exchange_chambers(core::StateFile& file, ibm::Chambers& c)
   file.same("ports", double(c.network.ports.size()), other);
   for (std::size_t k = 0; k < c.network.chambers.size(); ++k) {
     auto& chamber = c.network.chambers[k];
-    double values[] = {chamber.pressure, chamber.content, c.volume[k]};
+    double values[] = {chamber.pressure, chamber.content, chamber.swept};
     file.field(fmt::format("chamber {}", k), values, std::size(values));
     chamber.pressure = values[0];
     chamber.content = values[1];
-    c.volume[k] = values[2];
+    chamber.swept = values[2];
   }
   for (std::size_t k = 0; k < c.network.passages.size(); ++k)
     file.field(fmt::format("passage {}", k), c.network.passages[k].flow);

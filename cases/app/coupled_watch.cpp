@@ -63,8 +63,7 @@ std::vector<Watched> inputs(Scene const& scene, Derived const& d)
   std::vector<Watched> all;
   for (auto const& b : scene.boundaries) {
     if (b.value.at.empty() || b.kind == BoundaryKind::port) continue;
-    bool const pressure = b.kind == BoundaryKind::traction || b.kind == BoundaryKind::pressure ||
-                          b.kind == BoundaryKind::outflow;
+    bool const pressure = imposes_pressure(b.kind);
     double const usual = pressure ? core::to_si_pressure(d.units, usual_pressure)
                                   : largest_magnitude(constant(value_at(b.value, 0)));
     char const* const unit = pressure ? "Pa" : b.kind == BoundaryKind::flow_rate ? "m3/s" : "m/s";

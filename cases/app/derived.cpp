@@ -17,17 +17,12 @@
 namespace velum::cases {
 namespace {
 
-bool has_pressure(Boundary const& boundary)
-{
-  return boundary.kind == BoundaryKind::traction || boundary.kind == BoundaryKind::pressure ||
-         boundary.kind == BoundaryKind::outflow;
-}
-
 double largest_pressure(Scene const& scene)
 {
   double pressure = 0;
   for (auto const& boundary : scene.boundaries)
-    if (has_pressure(boundary)) pressure = std::max(pressure, largest_magnitude(boundary.value));
+    if (imposes_pressure(boundary.kind))
+      pressure = std::max(pressure, largest_magnitude(boundary.value));
   return pressure;
 }
 
@@ -195,12 +190,11 @@ double flow_velocity(Scene const& scene)
   return velocity;
 }
 
-structure::Membrane make_membrane(Scene const& scene)
+structure::Membrane make_membrane(MembraneSheet const& sheet, Material const& material,
+                                  core::Symmetry symmetry)
 {
-  auto const& sheet = *scene.membrane;
-  auto const& material = scene.materials.at(sheet.material);
   return structure::flat_membrane(
-      {.symmetry = symmetry(scene),
+      {.symmetry = symmetry,
        .from = sheet.from,
        .to = sheet.to,
        .element_size = sheet.element,
@@ -208,6 +202,12 @@ structure::Membrane make_membrane(Scene const& scene)
        .material = material.rubber,
        .density = material.density,
        .axial = sheet.position});
+}
+
+structure::Membrane make_membrane(Scene const& scene)
+{
+  auto const& sheet = *scene.membrane;
+  return make_membrane(sheet, scene.materials.at(sheet.material), symmetry(scene));
 }
 
 std::vector<structure::Load> bending_of(MembraneSheet const& sheet,

@@ -51,7 +51,11 @@ double opening_area(Scene const& scene, std::string const& boundary);
 /// where nothing drives takes the velocity of 1 kPa.
 Derived derive(Scene const& scene);
 
-/// The membrane of the scene as the structure sees it: flat, at rest, metres.
+/// A membrane as the structure sees it: flat, at rest, metres.
+structure::Membrane make_membrane(MembraneSheet const& sheet, Material const& material,
+                                  core::Symmetry symmetry);
+
+/// That of the scene.
 /// @pre the scene has a membrane
 structure::Membrane make_membrane(Scene const& scene);
 

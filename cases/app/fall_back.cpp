@@ -88,10 +88,10 @@ void carry_opening(lbm::Opening const& from, lbm::Opening& to, double r)
 
 void carry_chambers(ibm::Chambers const& from, ibm::Chambers& to, double r)
 {
-  to.volume = from.volume;
   for (std::size_t k = 0; k < from.network.chambers.size(); ++k) {
     to.network.chambers[k].pressure = r * r * from.network.chambers[k].pressure;
     to.network.chambers[k].content = from.network.chambers[k].content;
+    to.network.chambers[k].swept = from.network.chambers[k].swept;
   }
   for (std::size_t k = 0; k < from.network.passages.size(); ++k)
     to.network.passages[k].flow = r * from.network.passages[k].flow;

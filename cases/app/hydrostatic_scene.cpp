@@ -16,10 +16,7 @@ namespace {
 double pressure_of(Scene const& scene, std::string const& name, double time)
 {
   Boundary const* boundary = find_boundary(scene, name);
-  bool const has_pressure = boundary && (boundary->kind == BoundaryKind::traction ||
-                                         boundary->kind == BoundaryKind::pressure ||
-                                         boundary->kind == BoundaryKind::outflow);
-  return has_pressure ? value_at(boundary->value, time) : 0;
+  return boundary && imposes_pressure(boundary->kind) ? value_at(boundary->value, time) : 0;
 }
 
 structure::Membrane lattice_membrane(Scene const& scene, Derived const& d)
@@ -37,15 +34,6 @@ structure::Membrane lattice_membrane(Scene const& scene, Derived const& d)
        .material = structure::scaled(material.rubber, core::to_lattice_pressure(d.units, 1)),
        .density = core::to_lattice_density(d.units, material.density),
        .axial = sheet.position / dx});
-}
-
-/// Nodes out to a radius.
-std::vector<int> centre_nodes(structure::Membrane const& m, double radius)
-{
-  std::vector<int> nodes;
-  for (int a = 0; a < node_count(m); ++a)
-    if (m.reference[2 * a + 1] <= radius * (1 + 1e-9)) nodes.push_back(a);
-  return nodes;
 }
 
 /// Least mass per area of what can come to the seat: nodes that lie, in the flat membrane, at most
@@ -96,7 +84,7 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
   double const dx = d.units.dx;
   s.bending = s.loads = bending_of(sheet, s.membrane);
   if (sheet.centre) {
-    s.driven = centre_nodes(s.membrane, sheet.centre->radius / dx);
+    s.driven = structure::nodes_within(s.membrane, sheet.centre->radius / dx);
     for (int a : s.driven) s.membrane.fixed[2 * a] = s.membrane.fixed[2 * a + 1] = 1;
   }
   if (sheet.spring) {

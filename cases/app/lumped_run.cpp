@@ -25,17 +25,7 @@ constexpr long look_every = 200;  // steps
 
 std::vector<core::Column> columns(Scene const& scene)
 {
-  std::vector<core::Column> c = {{"pressure_above", "Pa"},
-                                 {"pressure_outside", "Pa"},
-                                 {"pressure_inside", "Pa"},
-                                 {"centre", "m"},
-                                 {"penetration", "m"},
-                                 {"seat_force", "N"},
-                                 {"gap", "m"},
-                                 {"flow", "m3/s"}};
-  auto const more = network_columns(scene);
-  c.insert(c.end(), more.begin(), more.end());
-  return c;
+  return valve_columns(scene, {{"gap", "m"}, {"flow", "m3/s"}});
 }
 
 std::vector<double> row(LumpedScene const& s, Scene const& scene, double time)
@@ -117,7 +107,7 @@ void run_lumped(Scene const& scene, RunOptions const& options)
   double time = 0;
   for (long n = 1; n <= total && !stopped; ++n) {
     time = double(n) * dt;
-    set_time(s, scene, time, n > settle);
+    set_network(s.state.network, s.key, scene, d, time, n > settle);
     try {
       ibm::step(s.state, 1);
     } catch (core::Divergence const& failure) {

@@ -38,7 +38,8 @@ ibm::Passage column(Scene const& scene, Derived const& d, int from, int to,
 
 LumpedScene make_lumped_scene(Scene const& scene, Derived const& d, HydrostaticScene const& start)
 {
-  auto made = make_network(scene, d, 3);
+  bool const has_above = find_chamber(scene, ChamberSide::above) != nullptr;
+  auto made = make_network(scene, d, has_above ? 2 : 3);
   LumpedScene s{d, std::move(made.key), {}};
   auto& state = s.state;
   state.membrane = start.membrane;
@@ -52,38 +53,31 @@ LumpedScene make_lumped_scene(Scene const& scene, Derived const& d, HydrostaticS
   state.network = std::move(made.network);
 
   auto& network = state.network;
-  auto const regions = static_cast<int>(network.chambers.size()) - 3;
-  state.above = s.key.above >= 0 ? s.key.above : regions;
-  state.outside = regions + 1;
-  state.inside = regions + 2;
+  auto const chambers = static_cast<int>(network.chambers.size());
+  state.above = has_above ? s.key.above : chambers - 3;
+  state.outside = chambers - 2;
+  state.inside = chambers - 1;
   for (auto [k, p] : {std::pair{state.above, start.load.above},
                       {state.outside, start.load.outside},
                       {state.inside, start.load.inside}})
     network.chambers[static_cast<std::size_t>(k)].pressure = p;
-  auto const port = [&](std::string const& name) {
-    return static_cast<int>(network.chambers.size()) + find_port(s.key, name);
-  };
+  int const inlet = chambers + s.key.inlet, outlet = chambers + s.key.outlet;
   state.gap_passage = static_cast<int>(network.passages.size());
   network.passages.push_back({state.outside, state.inside, std::nullopt});
   network.passages.push_back(
-      column(scene, d, port("inlet"), state.outside, "inlet", scene.gap.inlet_length));
+      column(scene, d, inlet, state.outside, "inlet", scene.gap.inlet_length));
   network.passages.push_back(
-      column(scene, d, state.inside, port("outlet"), "outlet", scene.gap.outlet_length));
-  network.passages.push_back(column(scene, d, port("inlet"), regions, "inlet", 0));
+      column(scene, d, state.inside, outlet, "outlet", scene.gap.outlet_length));
+  if (!has_above) network.passages.push_back(column(scene, d, inlet, state.above, "inlet", 0));
   ibm::locate(state);
   join_ports(s, scene);
-  fill(network, state.volume);
+  fill(network);
   return s;
-}
-
-void set_time(LumpedScene& s, Scene const& scene, double time, bool shut)
-{
-  set_network(s.state.network, s.key, scene, s.derived, time, shut);
 }
 
 double outflow(LumpedScene const& s)
 {
-  return s.state.network.ports[static_cast<std::size_t>(find_port(s.key, "outlet"))].flow;
+  return s.state.network.ports[static_cast<std::size_t>(s.key.outlet)].flow;
 }
 
 }  // namespace velum::cases

@@ -18,9 +18,6 @@ struct LumpedScene {
 LumpedScene make_lumped_scene(Scene const& scene, Derived const& derived,
                               HydrostaticScene const& start);
 
-/// Boundary pressures and orifices of a time, s; with `shut` the inlet lets nothing through.
-void set_time(LumpedScene& s, Scene const& scene, double time, bool shut);
-
 /// Volume per step that leaves through the outlet, with what the orifices bring there.
 double outflow(LumpedScene const& s);
 

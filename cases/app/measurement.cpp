@@ -57,10 +57,11 @@ void add_flows(Flows& flows, CoupledScene<Real, Body> const& s)
     flows.out -= in;
     flows.recent -= in;
   }
-  if (s.state.chambers)
-    flows.recent +=
-        s.state.chambers->network.ports[static_cast<std::size_t>(find_port(s.key, "outlet"))].flow;
-  if (s.state.chambers && ibm::passes(*s.state.chambers)) flows.by_law += 1;
+  if (auto const& chambers = s.state.chambers) {
+    if (s.key.outlet >= 0)
+      flows.recent += chambers->network.ports[static_cast<std::size_t>(s.key.outlet)].flow;
+    if (ibm::passes(*chambers)) flows.by_law += 1;
+  }
   flows.steps += 1;
 }
 

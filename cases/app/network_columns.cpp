@@ -2,9 +2,12 @@
 
 namespace velum::cases {
 
-std::vector<core::Column> network_columns(Scene const& scene)
+std::vector<core::Column> valve_columns(Scene const& scene, std::vector<core::Column> const& own)
 {
-  std::vector<core::Column> columns;
+  std::vector<core::Column> columns = {{"pressure_above", "Pa"},  {"pressure_outside", "Pa"},
+                                       {"pressure_inside", "Pa"}, {"centre", "m"},
+                                       {"penetration", "m"},      {"seat_force", "N"}};
+  columns.insert(columns.end(), own.begin(), own.end());
   for (auto const& c : scene.chambers) columns.push_back({"pressure_" + c.name, "Pa"});
   for (auto const& o : scene.orifices) {
     columns.push_back({"flow_" + o.name, "m3/s"});

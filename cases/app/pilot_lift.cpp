@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "structure/line_bending.hpp"
+#include "cases/app/derived.hpp"
 #include "structure/static_solve.hpp"
 
 namespace velum::cases {
@@ -25,21 +25,16 @@ double axial_at(structure::Membrane const& m, double radius)
 Curve pilot_lift(PilotMembrane const& pilot, Material const& material, double ring_radius,
                  double largest)
 {
-  auto m = structure::flat_membrane(
-      {.symmetry = core::Symmetry::axisymmetric,
-       .from = 0,
-       .to = pilot.radius,
-       .element_size = pilot.radius / elements,
-       .thickness = [t = pilot.thickness](double y) { return value_at(t, y); },
-       .material = material.rubber,
-       .density = material.density});
-  std::vector<structure::Load> loads;
-  if (bends(Bending::auto_, largest_magnitude(pilot.thickness) / pilot.radius))
-    loads.push_back(structure::bending_load(
-        std::make_shared<structure::LineBending const>(structure::line_bending(m, Rim::clamped))));
-  std::vector<int> driven;
-  for (int a = 0; a < node_count(m); ++a)
-    if (m.reference[2 * a + 1] <= pilot.boss * (1 + 1e-9)) driven.push_back(a);
+  MembraneSheet const sheet{.shape = MembraneShape::disc,
+                            .material = pilot.material,
+                            .position = 0,
+                            .from = 0,
+                            .to = pilot.radius,
+                            .thickness = pilot.thickness,
+                            .element = pilot.radius / elements};
+  auto m = make_membrane(sheet, material, core::Symmetry::axisymmetric);
+  auto const loads = bending_of(sheet, m);
+  auto const driven = structure::nodes_within(m, pilot.boss);
   for (int a : driven) m.fixed[2 * a] = m.fixed[2 * a + 1] = 1;
   Curve lift{{0}, {0}};
   for (int k = 1; k <= places; ++k) {

@@ -11,6 +11,12 @@ namespace {
 
 std::string finer(double dx) { return fmt::format("lattice.dx <= \"{:.3g} um\"", 1e6 * dx); }
 
+/// Whether a law stands in for the lattice where the seat's gap is narrow.
+bool has_closure(Scene const& scene)
+{
+  return scene.gap.cells > 0 || scene.fidelity == Fidelity::lumped;
+}
+
 Row gap_row(Scene const& scene)
 {
   double const dx = scene.lattice.dx, gap = initial_gap(scene), cells = gap / dx;
@@ -19,7 +25,7 @@ Row gap_row(Scene const& scene)
     row.verdict = Verdict::red;
     row.remark =
         fmt::format("the membrane starts {:.3g} um inside the seat: move one of them", -1e6 * gap);
-  } else if (scene.gap.cells > 0 || scene.fidelity == Fidelity::lumped) {
+  } else if (has_closure(scene)) {
     row.remark = scene.fidelity == Fidelity::lumped
                      ? "its flow is the closure's"
                      : fmt::format("below {:.3g} its flow is the closure's", scene.gap.cells);
@@ -35,8 +41,7 @@ Row land_row(Scene const& scene)
 {
   double const width = land_width(scene);
   Row row{"cells across the seat's land", width / scene.lattice.dx, "", Verdict::ok, ""};
-  bool const closure = scene.gap.cells > 0 || scene.fidelity == Fidelity::lumped;
-  if (row.value < 2 && !closure) {
+  if (row.value < 2 && !has_closure(scene)) {
     row.verdict = Verdict::warn;
     row.remark = finer(0.5 * width) + " shows the pressure across it";
   }

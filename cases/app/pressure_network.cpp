@@ -12,6 +12,13 @@ namespace {
 
 constexpr double shut_below = 1e-6;  // m: a lift that roughness bridges
 
+/// Index of a port by the name of its boundary, or -1.
+int find_port(NetworkKey const& key, std::string const& boundary)
+{
+  auto const found = std::find(key.port.begin(), key.port.end(), boundary);
+  return found == key.port.end() ? -1 : static_cast<int>(found - key.port.begin());
+}
+
 int node_of(PressureNetwork const& n, Scene const& scene, std::string const& name)
 {
   for (std::size_t k = 0; k < scene.chambers.size(); ++k)
@@ -36,12 +43,6 @@ std::optional<ibm::Loss> loss_of(OrificeSection const& o, Derived const& d, doub
 
 }  // namespace
 
-int find_port(NetworkKey const& key, std::string const& boundary)
-{
-  auto const found = std::find(key.port.begin(), key.port.end(), boundary);
-  return found == key.port.end() ? -1 : static_cast<int>(found - key.port.begin());
-}
-
 double lift_at(OrificeSection const& o, Curve const& lift, double time)
 {
   if (!o.seat) return 0;
@@ -65,6 +66,8 @@ PressureNetwork make_network(Scene const& scene, Derived const& d, int regions)
     n.key.port.push_back(b.name);
     n.network.ports.push_back({});
   }
+  n.key.inlet = find_port(n.key, "inlet");
+  n.key.outlet = find_port(n.key, "outlet");
   for (auto const& o : scene.orifices) {
     n.network.passages.push_back({node_of(n, scene, o.from), node_of(n, scene, o.to), std::nullopt,
                                   o.length * d.units.dx / o.area});
@@ -89,8 +92,8 @@ void set_network(ibm::Network& network, NetworkKey const& key, Scene const& scen
   for (std::size_t k = 0; k < key.lift.size(); ++k)
     network.passages[k].loss =
         loss_of(scene.orifices[k], d, lift_at(scene.orifices[k], key.lift[k], time));
-  if (!shut) return;
-  int const inlet = static_cast<int>(network.chambers.size()) + find_port(key, "inlet");
+  if (!shut || key.inlet < 0) return;
+  int const inlet = static_cast<int>(network.chambers.size()) + key.inlet;
   for (auto& p : network.passages)
     if (p.from == inlet || p.to == inlet) p.loss.reset();
 }

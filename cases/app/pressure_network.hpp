@@ -16,6 +16,7 @@ struct NetworkKey {
   std::vector<Curve> lift;        // of each orifice's gap over the movement of its member, m; empty
                                   // where the member is rigid
   int above = -1;                 // chamber on the plus side of the membrane
+  int inlet = -1, outlet = -1;    // ports of that name, if there are any
 };
 struct PressureNetwork {
   ibm::Network network;
@@ -33,8 +34,5 @@ double lift_at(OrificeSection const& orifice, Curve const& lift, double time);
 /// @param shut  nothing comes in through the inlet
 void set_network(ibm::Network& network, NetworkKey const& key, Scene const& scene,
                  Derived const& derived, double time, bool shut);
-
-/// Index of a port by the name of its boundary, or -1.
-int find_port(NetworkKey const& key, std::string const& boundary);
 
 }  // namespace velum::cases

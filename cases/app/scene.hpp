@@ -33,6 +33,12 @@ enum class LesModel { auto_, off, smagorinsky, vreman };
 enum class SolidShape { box, disc, profile, sphere, cylinder, stl };
 enum class Operation { add, subtract };
 enum class BoundaryKind { traction, pressure, velocity, flow_rate, outflow, port, moving_wall };
+/// Whether the value of such a boundary is a pressure.
+constexpr bool imposes_pressure(BoundaryKind kind)
+{
+  return kind == BoundaryKind::traction || kind == BoundaryKind::pressure ||
+         kind == BoundaryKind::outflow;
+}
 enum class Axis { x, y, z };
 enum class MembraneShape { disc, strip };
 using structure::Rim;

@@ -159,11 +159,7 @@ void check_membrane(Scene const& scene)
   double const slack = 1e-6 * lattice.dx;
   bool const disc = membrane.shape == MembraneShape::disc;
 
-  if (!scene.materials.contains(membrane.material)) {
-    std::vector<std::string> names;
-    for (auto const& [name, material] : scene.materials) names.push_back(name);
-    reject_name(scene, "membrane.material", membrane.material, "material", names);
-  }
+  check_material(scene, "membrane.material", membrane.material);
   double const half = 0.5 * largest_magnitude(membrane.thickness);
   // under a chamber the lattice only has to reach what its fluid touches
   bool const dry = find_chamber(scene, ChamberSide::above) != nullptr;
@@ -202,6 +198,14 @@ void check_contact(Scene const& scene)
 }
 
 }  // namespace
+
+void check_material(Scene const& scene, std::string const& key, std::string const& name)
+{
+  if (scene.materials.contains(name)) return;
+  std::vector<std::string> names;
+  for (auto const& [known, material] : scene.materials) names.push_back(known);
+  reject_name(scene, key, name, "material", names);
+}
 
 void reject_name(Scene const& scene, std::string const& key, std::string const& name,
                  std::string const& kind, std::vector<std::string> const& known)

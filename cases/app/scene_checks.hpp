@@ -22,6 +22,9 @@ bool can_be_kept(Scene const& scene);
 /// The part about how a run begins and is kept: [start], run.checkpoint_every.
 void check_march(Scene const& scene);
 
+/// Throws core::InputError where the scene has no material of that name.
+void check_material(Scene const& scene, std::string const& key, std::string const& name);
+
 /// Throws core::InputError: the name under the key names nothing of that kind; says the nearest one
 /// or all that are known.
 [[noreturn]] void reject_name(Scene const& scene, std::string const& key, std::string const& name,

@@ -141,8 +141,7 @@ Boundary read_boundary(SceneTable table, std::string name, core::Symmetry symmet
 {
   table.allow({"kind", "pressure", "velocity", "flow_rate", "patches", "profile", "along"});
   auto const kind = table.choice<BoundaryKind>("kind");
-  bool const has_pressure = kind == BoundaryKind::traction || kind == BoundaryKind::pressure ||
-                            kind == BoundaryKind::outflow;
+  bool const has_pressure = imposes_pressure(kind);
   bool const has_velocity = kind == BoundaryKind::velocity || kind == BoundaryKind::moving_wall;
   bool const is_port =
       kind == BoundaryKind::port;  // its flow is that of the orifices which end there

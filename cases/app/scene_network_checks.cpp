@@ -8,19 +8,13 @@
 namespace velum::cases {
 namespace {
 
-bool has_pressure(Boundary const& b)
-{
-  return b.kind == BoundaryKind::traction || b.kind == BoundaryKind::pressure ||
-         b.kind == BoundaryKind::outflow;
-}
-
 /// What an orifice may join.
 std::vector<std::string> nodes(Scene const& scene)
 {
   std::vector<std::string> names;
   for (auto const& c : scene.chambers) names.push_back(c.name);
   for (auto const& b : scene.boundaries)
-    if (has_pressure(b) || b.kind == BoundaryKind::port) names.push_back(b.name);
+    if (imposes_pressure(b.kind) || b.kind == BoundaryKind::port) names.push_back(b.name);
   return names;
 }
 
@@ -57,11 +51,7 @@ void check_orifice(Scene const& scene, OrificeSection const& o)
     if (std::find(known.begin(), known.end(), name) == known.end())
       reject_name(scene, key + end, name, "chamber, boundary with a pressure, or port", known);
   if (o.from == o.to) reject(scene, key + ".to", "must be another place than \"from\".");
-  if (o.member && !scene.materials.contains(o.member->material)) {
-    std::vector<std::string> names;
-    for (auto const& [name, material] : scene.materials) names.push_back(name);
-    reject_name(scene, key + ".membrane.material", o.member->material, "material", names);
-  }
+  if (o.member) check_material(scene, key + ".membrane.material", o.member->material);
 }
 
 void check_ports(Scene const& scene)

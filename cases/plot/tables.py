@@ -68,10 +68,16 @@ LIP = [run_name, pressure, seat_force, penetration,
        ("centre (mm)", lambda run, s: f"{1e3 * s['centre_deflection_hydrostatic']:.4f}")]
 
 
+def table(rows: list[list[str]]) -> str:
+    """Rows of cells, the first one the header."""
+    rows = [rows[0], ["---"] * len(rows[0]), *rows[1:]]
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows) + "\n"
+
+
 def markdown(title: str, runs: list[Path], columns: list[Column]) -> str:
     """A row for each run."""
-    rows = [[name for name, _ in columns], ["---"] * len(columns)]
+    rows = [[name for name, _ in columns]]
     for run in runs:
         figures = summary(run)
         rows.append([cell(run, figures) for _, cell in columns])
-    return f"### {title}\n\n" + "\n".join("| " + " | ".join(row) + " |" for row in rows) + "\n"
+    return f"### {title}\n\n" + table(rows)

@@ -10,8 +10,8 @@ import numpy as np
 
 from results import done, quantity, series, summary
 from style import plt, save
-
-L_PER_H = 3.6e6
+from tables import LITRES_PER_HOUR as L_PER_H
+from tables import table
 
 
 def at(run: Path, name: str, time: float) -> float:
@@ -23,11 +23,6 @@ def last(run: Path, name: str) -> float:
     """Mean of the last tenth of the run."""
     column = series(run)[name]
     return column[-max(1, len(column) // 10):].mean()
-
-
-def table(header: list[str], rows: list[list[str]]) -> str:
-    lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
 
 
 def on_off(run: Path) -> list[str]:
@@ -86,12 +81,12 @@ def main() -> None:
     head = ["run", "pilot chamber at 0", "20 ms after", "59 ms", "flow 30 ms after", "59 ms",
             "last gap", "wall time (s)"]
     if of("on_"):
-        print(table(head, [on_off(run) for run in of("on_")]))
+        print(table([head] + [on_off(run) for run in of("on_")]))
     if of("prop_"):
-        print(table(["run", "pilot", "pilot chamber", "flow", "gap", "seat force (N)"],
+        print(table([["run", "pilot", "pilot chamber", "flow", "gap", "seat force (N)"]] +
                     [row for run in of("prop_") for row in plateau(run)]))
     if of("fid_"):
-        print(table(head, [on_off(run) for run in of("fid_")]))
+        print(table([head] + [on_off(run) for run in of("fid_")]))
         grids = [run for run in of("fid_") if "um" in run.name]
         if grids:
             finest = min(grids, key=lambda run: quantity(run, "lattice.dx"))
@@ -105,7 +100,7 @@ def main() -> None:
                 p0, q0 = last(base, "pressure_pilot"), L_PER_H * last(base, "flow")
                 rows.append([run.name.removeprefix("par_"), f"{1e-3 * p:.1f}",
                              f"{100 * (p / p0 - 1):+.1f} %", f"{q:.0f}", f"{100 * (q / q0 - 1):+.0f} %"])
-            print(table(["changed", "pilot chamber", "by", "flow", "by"], rows))
+            print(table([["changed", "pilot chamber", "by", "flow", "by"]] + rows))
     if of("beta_"):
         rows = []
         for run in of("beta_"):
@@ -113,7 +108,7 @@ def main() -> None:
             rows.append([run.name.removeprefix("beta_"),
                          *(f"{s[k]:.3g}" if s.get(k) is not None else "-"
                            for k in ("chatter_frequency", "chatter_amplitude", "chatter_rate"))])
-        print(table(["beta", "frequency (Hz)", "amplitude (m)", "rate (1/s)"], rows))
+        print(table([["beta", "frequency (Hz)", "amplitude (m)", "rate (1/s)"]] + rows))
 
 
 if __name__ == "__main__":
