@@ -1,15 +1,13 @@
 #pragma once
 #include <memory>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "ibm/chambers.hpp"
 #include "ibm/contact_load.hpp"
 #include "ibm/face_pressure.hpp"
 #include "lbm/opening.hpp"
-#include "structure/explicit_step.hpp"
-#include "structure/implicit_step.hpp"
+#include "structure/stepper.hpp"
 
 namespace velum::ibm {
 
@@ -27,7 +25,7 @@ struct Coupled {
   std::vector<double> targets;  // of the openings, as opening.hpp says
   Body<Real> body;
   structure::Membrane membrane;
-  std::variant<structure::ExplicitStepper, structure::ImplicitStepper> stepper;
+  structure::Stepper stepper;
   std::vector<structure::Load> loads;  // spring and contact
   std::shared_ptr<SeatContact> seat;   // empty without contact
   std::optional<Chambers> chambers;    // lumped, where the scene has any

@@ -53,7 +53,7 @@ void step(Lumped& s, double h)
   auto const flows = linearised(s.network, h);
   auto enclosed = enclosures(s.network, flows, areas(s));
   Eigen::VectorXd const none = Eigen::VectorXd::Zero(s.membrane.position.size());
-  Eigen::VectorXd const& velocity =
+  auto const& velocity =
       structure::advance(s.stepper, s.membrane, none, {}, h, s.substeps, s.loads, &enclosed);
   take_over(s.network, flows, enclosed, velocity, h);
 }

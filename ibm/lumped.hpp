@@ -5,7 +5,7 @@
 #include "contact/lip_pressure.hpp"
 #include "ibm/network.hpp"
 #include "ibm/seat_gap.hpp"
-#include "structure/explicit_step.hpp"
+#include "structure/stepper.hpp"
 
 namespace velum::ibm {
 
@@ -14,7 +14,7 @@ namespace velum::ibm {
 /// units, those of the lattice in a scene.
 struct Lumped {
   structure::Membrane membrane;
-  structure::ExplicitStepper stepper;
+  structure::Stepper stepper;
   std::vector<structure::Load> loads;  // bending, spring, contact
   std::shared_ptr<SeatContact> seat;
   contact::LipPressure lip = contact::LipPressure::linear;
@@ -22,7 +22,7 @@ struct Lumped {
   Network network;
   int above, outside, inside;  // chambers
   int gap_passage;             // from outside to inside
-  int substeps = 1;
+  int substeps = 1;            // of the explicit stepper
 
   SeatGap gap;  // of the last step
 };
@@ -30,8 +30,8 @@ struct Lumped {
 /// Gap and its loss in the present state.
 void locate(Lumped& s);
 
-/// One step of length h: membrane, contact, chamber pressures and flows, found together within each
-/// sub-step (structure/enclosure.hpp); the gap's shape lags by one step.
+/// One step of length h: membrane, contact, chamber pressures and flows, found together
+/// (structure/enclosure.hpp); the gap's shape lags by one step.
 void step(Lumped& s, double h);
 
 }  // namespace velum::ibm

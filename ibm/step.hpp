@@ -32,21 +32,6 @@ void complete(Coupled<Real, Body>&)
 {
 }
 
-/// Takes the membrane through the step under F0 - Z v by the stepper that it has; returns its mean
-/// velocity.
-template <class Real, template <class> class Body>
-Eigen::VectorXd const& take_step(Coupled<Real, Body>& s, Eigen::VectorXd const& F0,
-                                 std::span<Eigen::Matrix2d const> Z)
-{
-  structure::Enclosures* const enclosed = s.chambers ? &s.chambers->enclosed : nullptr;
-  if (auto* const implicit = std::get_if<structure::ImplicitStepper>(&s.stepper)) {
-    structure::advance(*implicit, s.membrane, F0, Z, 1.0, s.loads, enclosed);
-    return implicit->mean;
-  }
-  auto& stepper = std::get<structure::ExplicitStepper>(s.stepper);
-  return structure::advance(stepper, s.membrane, F0, Z, 1.0, s.substeps, s.loads, enclosed);
-}
-
 /// Moves the membrane under the fluid's force F0 - Z v and returns its mean velocity.
 template <class Real, template <class> class Body>
 Eigen::VectorXd advance(Coupled<Real, Body>& s)
@@ -64,9 +49,11 @@ Eigen::VectorXd advance(Coupled<Real, Body>& s)
     }
   }
   if (s.chambers) begin_step(*s.chambers, s.openings, s.membrane, s.seat.get());
-  auto const& mean = take_step(s, e.force,
-                               carries_block ? std::span<Eigen::Matrix2d const>(e.block)
-                                             : std::span<Eigen::Matrix2d const>());
+  auto const block = carries_block ? std::span<Eigen::Matrix2d const>(e.block)
+                                   : std::span<Eigen::Matrix2d const>();
+  structure::Enclosures* const enclosed = s.chambers ? &s.chambers->enclosed : nullptr;
+  auto const& mean =
+      structure::advance(s.stepper, s.membrane, e.force, block, 1.0, s.substeps, s.loads, enclosed);
   if (s.chambers) {
     end_step(*s.chambers, s.openings, s.targets, mean);
     if (s.chambers->gap) s.ledger.seat += gap_flow(*s.chambers);

@@ -22,8 +22,7 @@ namespace {
 constexpr int max_newton = 12;
 constexpr double tolerance = 1e-9;
 constexpr double smallest_part = 1.0 / 4096;
-constexpr double good_rate = 0.05;  // by which a correction shrinks the residual
-constexpr int few = 4;              // corrections, with a tangent that is worth keeping
+constexpr int few = 4;  // corrections: what a new tangent costs
 
 struct Outcome {
   bool converged = false;
@@ -31,6 +30,13 @@ struct Outcome {
   double residual = 0;
   int worst_node = 0;
 };
+
+/// Whether more than a few corrections are needed yet where the last one took the residual from
+/// previous to now: a new tangent is cheaper then.
+bool is_slow(double now, double previous, double allowed)
+{
+  return now >= previous || std::log(allowed / now) < few * std::log(now / previous);
+}
 
 double largest(Eigen::VectorXd const& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0; }
 
@@ -106,6 +112,7 @@ Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
   // velocity leads keeps a large first acceleration from throwing Newton far away; where steps are
   // short the acceleration hardly changes.
   next.a = served > 0 ? old.a : Eigen::VectorXd(-(0.5 - w.beta) / w.beta * old.a);
+  double const rounding = rounding_force(m, old.x);
   double previous = 0;
   for (int iteration = 0;; ++iteration) {
     Eigen::VectorXd const mean = follow(old, next, dt, w);
@@ -128,9 +135,8 @@ Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
     outcome.residual = scale > 0 ? now / scale : 0;
     double const allowed = tolerance * scale;
     // without a correction the acceleration would stay, and its error add up over the steps
-    outcome.converged = iteration == 0
-                            ? now <= allowed && now <= rounding_force(m, old.x)
-                            : now <= allowed || now <= allowed + rounding_force(m, old.x);
+    outcome.converged =
+        iteration == 0 ? now <= std::min(allowed, rounding) : now <= allowed + rounding;
     bool const hopeless = !std::isfinite(now) || (iteration > 3 && now > 2 * previous);
     if (outcome.converged || hopeless || iteration == max_newton) {
       if (outcome.converged && iteration > 0) {  // what is left is not left to add up either
@@ -143,7 +149,7 @@ Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
       return outcome;
     }
 
-    bool const slow = iteration > 0 && now > good_rate * previous;
+    bool const slow = iteration > 0 && is_slow(now, previous, allowed + rounding);
     keeps = keeps && !slow;
     bool const fresh = slow || (iteration == 0 && served == 0);
     if (fresh || iteration == 0) {

@@ -94,6 +94,8 @@ bool factorise(NewtonMatrix& s, double k, double c, Eigen::VectorXd const& inert
                std::span<NodeBlock<Body> const> Z, double step, std::vector<char> const& fixed)
 {
   constexpr int d = Body::dimension;
+  if (!s.fresh && Z.empty() && s.step == step) return true;
+  s.step = 0;
   auto const values = [](Sparse& m) {
     return Eigen::Map<Eigen::ArrayXd>(m.valuePtr(), m.nonZeros());
   };
@@ -112,11 +114,12 @@ bool factorise(NewtonMatrix& s, double k, double c, Eigen::VectorXd const& inert
     s.analysed = true;
     s.ldlt.factorize(s.A);
     // without pivots only a positive definite matrix is safe
-    if (s.ldlt.info() == Eigen::Success && s.ldlt.vectorD().minCoeff() > 0) return true;
-    s.by_ldlt = false;
+    s.by_ldlt = s.ldlt.info() == Eigen::Success && s.ldlt.vectorD().minCoeff() > 0;
   }
-  s.lu.compute(s.A);
-  return s.lu.info() == Eigen::Success;
+  if (!s.by_ldlt) s.lu.compute(s.A);
+  bool const done = s.by_ldlt || s.lu.info() == Eigen::Success;
+  if (done && Z.empty()) s.step = step;
+  return done;
 }
 
 Eigen::VectorXd solve(NewtonMatrix const& s, Eigen::VectorXd const& right)

@@ -28,6 +28,7 @@ struct NewtonMatrix {
   bool by_ldlt = false;   ///< which of the two holds the factors
   bool fresh = true;      ///< whether A of this K has not been built yet
   bool analysed = false;  ///< whether ldlt knows the pattern
+  double step = 0;        ///< h of the factors at hand, if they hold no wall blocks; else 0
 };
 
 /// Sets K from its entries and C; where the pattern is as before, what is known of it is kept.
@@ -39,7 +40,8 @@ template <class Body>
 void set_tangent(NewtonMatrix& matrix, Triplets const& K, NewtonMatrix::Sparse const& C, double k,
                  Eigen::VectorXd const& inertia);
 
-/// Builds A and its factors; fixed components become equations of their own.
+/// Builds A and its factors, if those at hand are of another K or step or hold wall blocks; fixed
+/// components become equations of their own.
 /// @param Z     wall blocks, or empty   [N]
 /// @param step  h
 /// @return whether A could be factorised

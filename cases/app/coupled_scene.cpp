@@ -131,11 +131,7 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   state.substeps = hydrostatic.substeps;
   state.scheme = scene.coupling.scheme == CouplingScheme::implicit ? ibm::Scheme::implicit
                                                                    : ibm::Scheme::explicit_;
-  if (s.derived.membrane_scheme.scheme == structure::TimeScheme::implicit)
-    state.stepper = structure::implicit_stepper(state.membrane, membrane_damping(scene, s.derived),
-                                                state.membrane.position, hydrostatic.bending);
-  else
-    state.stepper = membrane_stepper(scene, s.derived, hydrostatic);
+  state.stepper = membrane_stepper(scene, s.derived, hydrostatic);
   state.one_way = scene.coupling.feedback == Feedback::one_way;
   s.driven = hydrostatic.driven;
   for (PatchOpening const& o : lattice.openings) {

@@ -7,8 +7,6 @@
 #include "structure/mass.hpp"
 #include "structure/stable_step.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -147,13 +145,6 @@ void derive_membrane(Scene const& scene, Derived& d)
       1 / std::sqrt(1 / (d.structure_step * d.structure_step) + contact_frequency2(scene, d) / 4);
   d.membrane_scheme = chosen_scheme(asked_scheme(scene), 1e6 * d.units.dt, 1e6 * closed,
                                     structure::coupled_cost_ratio(membrane), "us");
-  if (scene.fidelity == Fidelity::lumped) {
-    int const substeps = structure::substeps_for(d.units.dt, closed);
-    d.membrane_scheme = {
-        structure::TimeScheme::explicit_substeps, substeps,
-        fmt::format("explicit, {} sub-steps, always without a lattice; of itself: {}", substeps,
-                    d.membrane_scheme.sentence)};
-  }
   // The undamped limit is 2 / omega, so omega^2 = 4 / step^2.
   if (material.damping_stiffness > 0)
     d.damping_step = d.structure_step * d.structure_step / (2 * material.damping_stiffness);

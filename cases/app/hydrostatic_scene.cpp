@@ -141,9 +141,12 @@ structure::Rayleigh membrane_damping(Scene const& scene, Derived const& d)
           core::to_lattice_time(d.units, material.damping_stiffness)};
 }
 
-structure::ExplicitStepper membrane_stepper(Scene const& scene, Derived const& d,
-                                            HydrostaticScene const& start)
+structure::Stepper membrane_stepper(Scene const& scene, Derived const& d,
+                                    HydrostaticScene const& start)
 {
+  if (d.membrane_scheme.scheme == structure::TimeScheme::implicit)
+    return structure::implicit_stepper(start.membrane, membrane_damping(scene, d),
+                                       start.membrane.position, start.bending);
   return structure::explicit_stepper(start.membrane, membrane_damping(scene, d),
                                      start.membrane.position, start.bending);
 }

@@ -5,7 +5,7 @@
 #include "cases/app/derived.hpp"
 #include "cases/app/scene.hpp"
 #include "ibm/hydrostatic.hpp"
-#include "structure/explicit_step.hpp"
+#include "structure/stepper.hpp"
 
 namespace velum::cases {
 
@@ -35,9 +35,10 @@ void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& de
 /// Rayleigh damping of the membrane's material, lattice units.
 structure::Rayleigh membrane_damping(Scene const& scene, Derived const& derived);
 
-/// Its explicit stepper, with the damping of the stiffness of where it is; lattice units.
-structure::ExplicitStepper membrane_stepper(Scene const& scene, Derived const& derived,
-                                            HydrostaticScene const& start);
+/// Its stepper by the scheme that was chosen, with the damping of the stiffness of where it is;
+/// lattice units.
+structure::Stepper membrane_stepper(Scene const& scene, Derived const& derived,
+                                    HydrostaticScene const& start);
 
 /// Pressure of the inlet and of the outlet at a time, Pa; 0 where the scene has none.
 double inlet_pressure(Scene const& scene, double time);

@@ -117,8 +117,6 @@ void run_lumped(Scene const& scene, RunOptions const& options)
     if (n % look_every == 0) {
       progress.show({.time = time,
                      .end = double(total) * dt,
-                     .mlups = 0,
-                     .mach = 0,
                      .coupling = fmt::format(
                          "gap {:.1f} um", 1e6 * core::to_si_length(d.units, s.state.gap.least))});
       stopped = stop_requested();

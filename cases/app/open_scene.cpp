@@ -1,7 +1,7 @@
 #include "cases/app/open_scene.hpp"
 
 #include "cases/app/overrides.hpp"
-#include "cases/app/scene_text.hpp"
+#include "cases/app/scene_base.hpp"
 #include "core/check.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ OpenScene::OpenScene(std::filesystem::path const& file, std::vector<std::string>
   std::error_code ignored;
   core::require(!std::filesystem::is_directory(file, ignored),
                 fmt::format("{}: is not a file; name the scene.toml in it.", file.string()));
-  merged_ = parse_toml(file, "scene file");
+  merged_ = read_tables(file);
   origins_.file = file.string();
   for (auto const& text : overrides) origins_.overridden.push_back(apply_override(merged_, text));
 }

@@ -4,7 +4,7 @@
 
 namespace velum::cases {
 
-/// A scene file while it is read, the overrides merged in.
+/// A scene file while it is read, what it is based on and the overrides merged in.
 class OpenScene {
  public:
   /// @throws core::InputError  no such file, not TOML, or an override that does not fit

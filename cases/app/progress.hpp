@@ -8,12 +8,13 @@ namespace velum::cases {
 /// What the live line shows.
 struct Progress {
   double time, end;           // s
-  double mlups;               // million cell updates per second so far
-  double mach;                // worst so far
+  double mlups = 0;           // million cell updates per second so far; 0: there is no lattice
+  double mach = 0;            // worst so far
   std::string coupling = "";  // state of the coupling in a few words
 };
 
-/// The text of the line: time, share done, time left, speed, worst Mach number, coupling.
+/// The text of the line: time, share done, time left; of a lattice speed and worst Mach number;
+/// coupling.
 /// @param elapsed  wall time since the run began at time 0, s
 std::string progress_text(Progress const& progress, double elapsed);
 

@@ -86,9 +86,6 @@ void check_network(Scene const& scene)
   if (!scene.membrane || symmetry(scene) != core::Symmetry::axisymmetric)
     reject(scene, first, "is for axisymmetric scenes with a membrane.");
   if (scene.chambers.empty()) reject(scene, "orifice", "needs a chamber to fill or empty.");
-  if (scene.fidelity == Fidelity::lumped && scene.coupling.membrane == MembraneScheme::implicit)
-    reject(scene, "coupling.membrane",
-           "= \"implicit\" is not for fidelity = \"lumped\", which takes explicit sub-steps.");
   check_chambers(scene);
   for (auto const& o : scene.orifices) check_orifice(scene, o);
 }

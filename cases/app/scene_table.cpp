@@ -38,7 +38,8 @@ std::string SceneTable::place(std::string const& path, toml::node const& node) c
   for (auto const& key : origins_->overridden)
     if (is_within(path, key)) return "--set";
   auto const line = node.source().begin.line;
-  if (line > 0 && !path.empty()) return fmt::format("{}:{}", origins_->file, line);
+  auto const& file = node.source().path;  // the scene's own or that of its base
+  if (line > 0 && !path.empty()) return fmt::format("{}:{}", file ? *file : origins_->file, line);
   for (auto const& key : origins_->overridden)
     if (is_within(key, path)) return "--set";
   return origins_->file;

@@ -102,12 +102,6 @@ TEST(BadChamber, AMemberNeedsItsSeatAndMaterial)
 
 TEST(BadChamber, TheLumpedFidelityNeedsTheWholeValve)
 {
-  auto const implicit = edited(edited(scene, "\"axisymmetric\"", "\"lumped\""), "[run]",
-                               "[coupling]\nmembrane = \"implicit\"\n[run]");
-  EXPECT_TRUE(refusal(implicit).ends_with(
-      "coupling.membrane = \"implicit\" is not for fidelity = \"lumped\", which takes explicit "
-      "sub-steps."))
-      << refusal(implicit);
   auto const text =
       edited(edited(scene, "\"axisymmetric\"", "\"lumped\""), "[outlet]", "[boundary.other]");
   EXPECT_TRUE(refusal(text).ends_with("fidelity = \"lumped\" needs an outlet; the scene has none."))

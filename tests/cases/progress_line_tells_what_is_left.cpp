@@ -36,6 +36,12 @@ TEST(Progress, LineShowsTimeShareRestSpeedMachAndCoupling)
             "25.00 of 100.00 ms   25 %  3 min 00 s left  12.3 MLUPS  Mach 0.057  3 sub-steps");
 }
 
+TEST(Progress, LineOfARunWithoutALatticeHasNoSpeed)
+{
+  EXPECT_EQ(cases::progress_text({.time = 0.025, .end = 0.1, .coupling = "gap 1.0 um"}, 60),
+            "25.00 of 100.00 ms   25 %  3 min 00 s left  gap 1.0 um");
+}
+
 TEST(Progress, PlainLinesComeAtEveryTenth)
 {
   auto const text = written(false, false);
