@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace velum::structure {
 namespace {
@@ -112,7 +113,10 @@ Outcome try_step(ImplicitStepper& s, Body const& m, WallForce<Body> const& wall,
   // velocity leads keeps a large first acceleration from throwing Newton far away; where steps are
   // short the acceleration hardly changes.
   next.a = served > 0 ? old.a : Eigen::VectorXd(-(0.5 - w.beta) / w.beta * old.a);
-  double const rounding = rounding_force(m, old.x);
+  // of a thick plate of short elements bending weighs far more than stretching; residuals were seen
+  // to stay at 0.08 of a relative rounding there
+  double const turned = std::numeric_limits<double>::epsilon() / 4 * s.newton->stiffest;
+  double const rounding = std::max(rounding_force(m, old.x), turned * largest(old.x));
   double previous = 0;
   for (int iteration = 0;; ++iteration) {
     Eigen::VectorXd const mean = follow(old, next, dt, w);

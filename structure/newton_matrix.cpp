@@ -78,6 +78,7 @@ void set_tangent(NewtonMatrix& s, Triplets const& entries, Sparse const& C, doub
   Sparse K = joined(chain ? narrowed(entries, k, inertia) : entries, C, 0, nodes, d);
   bool const known = s.K.rows() > 0 && same_pattern(K, s.K);
   s.K.swap(K);
+  s.stiffest = s.K.diagonal().cwiseAbs().maxCoeff();
   s.fresh = true;
   if (known) return;
   Triplets zeros;

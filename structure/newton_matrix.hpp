@@ -28,6 +28,7 @@ struct NewtonMatrix {
   bool by_ldlt = false;   ///< which of the two holds the factors
   bool fresh = true;      ///< whether A of this K has not been built yet
   bool analysed = false;  ///< whether ldlt knows the pattern
+  double stiffest = 0;    ///< largest entry of K's diagonal
   double step = 0;        ///< h of the factors at hand, if they hold no wall blocks; else 0
 };
 

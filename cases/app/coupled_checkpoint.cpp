@@ -11,8 +11,8 @@ void exchange(core::StateFile& file, std::string const& name, Measurement& m)
   double* const values[] = {
       &m.time,        &m.pressure_above, &m.pressure_outside, &m.pressure_inside, &m.volume_inside,
       &m.mass_inside, &m.centre,         &m.penetration,      &m.seat_force,      &m.gap,
-      &m.flow,        &m.gap_by_law,     &m.speed_max,        &m.density_error,   &m.outflow,
-      &m.inflow,      &m.through_seat,   &m.through_membrane};
+      &m.flow,        &m.gap_by_law,     &m.speed_max,        &m.pressure_least,  &m.density_error,
+      &m.outflow,     &m.inflow,         &m.through_seat,     &m.through_membrane};
   std::vector<double> flat;
   for (double const* v : values) flat.push_back(*v);
   file.field(name, flat);
@@ -64,6 +64,7 @@ void exchange(core::StateFile& file, CoupledScene<Real, ibm::Sharp>& s, March& m
   file.number("measured", m.measured);
   exchange(file, m.certificate);
   file.field("stretch", m.stretch.largest);
+  file.field("stretch of a face", m.stretch.face);
   file.field("stretch i1", m.stretch.i1);
   file.number("stretch stable", m.stretch.stable);
   file.number("rows", m.out.series.rows);

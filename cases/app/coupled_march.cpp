@@ -41,7 +41,7 @@ void take_stock(March& march, CoupledScene<Real, Body> const& s, Scene const& sc
   march.now = measure(s, scene, march.flows, double(march.step) * when.dt);
   march.measured = march.step;
   record(march.out, s, march.now, scene.run.output_every);
-  note_stretch(march.stretch, s.state.membrane, scene.materials.at(scene.membrane->material));
+  note_stretch(march.stretch, s.state.membrane, scene);
   if (march.step == 0) {
     if (!s.driven.empty()) c.driven = start_record(march.now);
     c.window_begin = c.settled = march.now;

@@ -13,6 +13,7 @@
 #include "cases/app/stop.hpp"
 #include "cases/app/valve_report.hpp"
 #include "core/check.hpp"
+#include "core/output/folder.hpp"
 #include "structure/static_solve.hpp"
 #include "structure/volume_control.hpp"
 
@@ -48,8 +49,9 @@ template <class Real, template <class> class Body>
 ValveReport report(CoupledRun<Real, Body> const& run)
 {
   double const seat = run.s.divide;  // cells; infinite without one
-  return valve_report(run.scene, read_history(run.options.out / "series.csv"),
-                      std::isfinite(seat) ? 2 * seat * run.s.derived.units.dx : 0);
+  return valve_report(
+      run.scene, read_history(run.options.out / "series.csv"),
+      {std::isfinite(seat) ? 2 * seat * run.s.derived.units.dx : 0, run.march.stretch});
 }
 
 /// Completes the certificate, writes summary.json, and returns what is to be printed.
@@ -78,6 +80,9 @@ std::string conclude(CoupledRun<Real, Body>& run, HydrostaticScene const& start,
     auto const valve = report(run);
     summary.figures.insert(summary.figures.end(), valve.figures.begin(), valve.figures.end());
     summary.assumptions.insert(valve.rules.begin(), valve.rules.end());
+    if (run.march.stretch.face > 0)
+      summary.figures.push_back({"stretch_max_face", run.march.stretch.face, "1"});
+    if (!valve.kv.empty()) core::write_atomically(run.options.out / "kv.csv", valve.kv);
     text =
         valve.text + fmt::format("wall time {:.1f} s, {:.0f} MLUPS, {:.1f} % of it the membrane's",
                                  c.wall_time, c.mlups, 100 * c.membrane_share);

@@ -13,6 +13,13 @@ struct History {
   std::vector<double> time;
   std::vector<std::vector<double>> rows;  // [time][column]
 
+  bool has(std::string const& name) const
+  {
+    for (auto const& c : columns)
+      if (c.name == name) return true;
+    return false;
+  }
+
   /// One column over time.
   /// @pre it exists
   std::vector<double> column(std::string const& name) const

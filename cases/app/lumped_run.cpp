@@ -16,6 +16,7 @@
 #include "cases/app/stop.hpp"
 #include "cases/app/valve_report.hpp"
 #include "core/check.hpp"
+#include "core/output/folder.hpp"
 #include "core/output/series.hpp"
 
 namespace velum::cases {
@@ -100,7 +101,7 @@ void run_lumped(Scene const& scene, RunOptions const& options)
   };
   auto const& material = scene.materials.at(scene.membrane->material);
   StretchRecord stretch;
-  note_stretch(stretch, s.state.membrane, material);
+  note_stretch(stretch, s.state.membrane, scene);
   ProgressLine progress(options.quiet);
   record(out, s, scene, 0);
   bool stopped = false;
@@ -123,12 +124,13 @@ void run_lumped(Scene const& scene, RunOptions const& options)
     }
     if (n % sample == 0 || n == total || stopped) {
       record(out, s, scene, time);
-      note_stretch(stretch, s.state.membrane, material);
+      note_stretch(stretch, s.state.membrane, scene);
     }
   }
   progress.finish();
   add_range(assumed, stretch, material);
-  auto const report = valve_report(scene, out.history, seat);
+  auto const report = valve_report(scene, out.history, {seat, stretch});
+  if (!report.kv.empty()) core::write_atomically(options.out / "kv.csv", report.kv);
   assumed.insert(report.rules.begin(), report.rules.end());
   auto const& names = out.history.columns;
   auto const& last = out.history.rows.back();
@@ -136,7 +138,7 @@ void run_lumped(Scene const& scene, RunOptions const& options)
   for (std::size_t k = 0; k < names.size(); ++k)
     summary.figures.push_back({names[k].name, last[k], names[k].unit});
   summary.figures.insert(summary.figures.end(), report.figures.begin(), report.figures.end());
-  summary.figures.push_back({"stretch_max", stretch.largest, "1"});
+  for (auto& figure : figures(stretch)) summary.figures.push_back(std::move(figure));
   summary.figures.push_back({"wall_time", elapsed(), "s"});
   core::write_summary(options.out / "summary.json", summary);
   if (stopped)

@@ -2,6 +2,7 @@
 
 #include "cases/app/scene_words.hpp"
 #include "structure/drucker.hpp"
+#include "structure/face_stretch.hpp"
 #include "structure/line_element.hpp"
 #include "structure/triangle_element.hpp"
 
@@ -80,6 +81,20 @@ void note_stretch(StretchRecord& record, structure::Sheet const& sheet, Material
     stretches.push_back({l[0], l[1]});
   }
   note(record, stretches, material);
+}
+
+void note_stretch(StretchRecord& record, structure::Membrane const& membrane, Scene const& scene)
+{
+  note_stretch(record, membrane, scene.materials.at(scene.membrane->material));
+  if (has_bending(*scene.membrane))
+    record.face = std::max(record.face, structure::largest_face_stretch(membrane));
+}
+
+std::vector<core::Figure> figures(StretchRecord const& record)
+{
+  std::vector<core::Figure> all = {{"stretch_max", record.largest, "1"}};
+  if (record.face > 0) all.push_back({"stretch_max_face", record.face, "1"});
+  return all;
 }
 
 std::string material_in_words(Material const& material)

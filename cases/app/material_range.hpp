@@ -8,7 +8,8 @@ namespace velum::cases {
 
 /// How far a run stretched its membrane, against what the material is known for.
 struct StretchRecord {
-  double largest = 1;  // stretch
+  double largest = 1;  // stretch of the mid-surface
+  double face = 0;     // of a face, along the meridian; 0 where nothing bends
   double i1 = 0;       // I1 - 3
   bool stable = true;  // by Drucker, at every state that was looked at
 };
@@ -19,6 +20,12 @@ struct StretchRecord {
 void note_stretch(StretchRecord& record, structure::Membrane const& membrane,
                   Material const& material);
 void note_stretch(StretchRecord& record, structure::Sheet const& sheet, Material const& material);
+
+/// The same for the membrane of a scene, with its faces where it bends.
+void note_stretch(StretchRecord& record, structure::Membrane const& membrane, Scene const& scene);
+
+/// For summary.json: stretch_max, and stretch_max_face where it is known.
+std::vector<core::Figure> figures(StretchRecord const& record);
 
 /// What the material is, in words.
 std::string material_in_words(Material const& material);

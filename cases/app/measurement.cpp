@@ -96,6 +96,7 @@ Measurement measure(CoupledScene<Real, Body> const& s, Scene const& scene, Flows
   }
   lbm::Observation const seen = lbm::observe(fluid);
   m.speed_max = core::to_si_velocity(units, seen.speed_max);
+  m.pressure_least = core::to_si_pressure(units, seen.rho_min / 3);
   m.density_error = std::max(std::abs(seen.rho_min), std::abs(seen.rho_max));
   m.outflow = volume(flows.out);
   m.inflow = volume(flows.in);

@@ -21,6 +21,7 @@ struct Measurement {
   double gap_by_law = 0;  // share of these steps in which the gap's flow came from its law
   std::vector<double> network;  // what network_columns() names
   double speed_max = 0;         // of the fluid
+  double pressure_least = 0;    // in any of its cells
   double density_error = 0;     // largest |rho - rho0| / rho0
   // since the start of the run, volume at rest density
   double outflow = 0, inflow = 0;

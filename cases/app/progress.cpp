@@ -29,9 +29,8 @@ std::string progress_text(Progress const& progress, double elapsed)
 {
   double const done = share(progress);
   std::string const left = done > 0 ? duration(elapsed * (1 - done) / done) : "?";
-  std::string text =
-      fmt::format("{:.2f} of {:.2f} ms  {:3.0f} %  {} left", 1e3 * progress.time,
-                  1e3 * progress.end, std::floor(100 * done + 1e-6), left);
+  std::string text = fmt::format("{:.2f} of {:.2f} ms  {:3.0f} %  {} left", 1e3 * progress.time,
+                                 1e3 * progress.end, std::floor(100 * done + 1e-6), left);
   if (progress.mlups > 0)
     text += fmt::format("  {:.1f} MLUPS  Mach {:.3f}", progress.mlups, progress.mach);
   if (!progress.coupling.empty()) text += "  " + progress.coupling;

@@ -87,6 +87,16 @@ double leak_class(double leak, double difference, double open_flow, double seat_
   return share <= 1e-4 ? 4 : share <= 1e-3 ? 3 : share <= 5e-3 ? 2 : 1;
 }
 
+double difference(ValveFacts const& facts, double time)
+{
+  return value_at(facts.inlet, time) - value_at(facts.outlet, time);
+}
+
+double kv(double flow, double pressure, double density)
+{
+  return pressure > 0 ? hour * flow * std::sqrt(density / water / (pressure / bar)) : unknown;
+}
+
 ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
 {
   auto const& time = history.time;
@@ -96,9 +106,6 @@ ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
   double const end = time.back();
   double const late = end - final_share * (end - time.front());
   auto const final_of = [&](auto const& value) { return mean(time, value, late, end); };
-  auto const difference = [&](double t) {
-    return value_at(facts.inlet, t) - value_at(facts.outlet, t);
-  };
 
   ValveSheet s;
   s.pilot_opens = facts.pilot_opens.value_or(first_rise(history, lift_begins));
@@ -118,10 +125,14 @@ ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
   s.gap_final = final_of(gap);
   s.gap_largest = *std::max_element(gap.begin(), gap.end());
 
-  double const pressure = difference(end);
-  s.kv = pressure > 0 ? hour * s.flow_final * std::sqrt(facts.density / water / (pressure / bar))
-                      : unknown;
+  double const pressure = difference(facts, end);
+  s.kv = kv(s.flow_final, pressure, facts.density);
   s.pressure_least = *std::min_element(inside.begin(), inside.end());
+  s.cell_least = unknown;
+  if (history.has("pressure_least")) {
+    auto const least = history.column("pressure_least");
+    s.cell_least = *std::min_element(least.begin(), least.end());
+  }
   s.cavitation =
       pressure > 0
           ? (value_at(facts.outlet, end) + facts.atmosphere - facts.vapour_pressure) / pressure
@@ -132,11 +143,11 @@ ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
   if (shut.time.size() < 3) return s;
   double const until = shut.time.back();
   s.leak = mean(shut.time, shut.flow, (shut.time.front() + until) / 2, until);
-  double const at_most = difference(time[static_cast<std::size_t>(most - flow.begin())]);
+  double const at_most = difference(facts, time[static_cast<std::size_t>(most - flow.begin())]);
   double const open_flow = s.gap_largest > facts.seals_at && at_most > 0
-                               ? s.flow_largest * std::sqrt(difference(until) / at_most)
+                               ? s.flow_largest * std::sqrt(difference(facts, until) / at_most)
                                : 0;
-  s.leak_class = leak_class(s.leak, difference(until), open_flow, facts.seat_diameter);
+  s.leak_class = leak_class(s.leak, difference(facts, until), open_flow, facts.seat_diameter);
   return s;
 }
 

@@ -21,6 +21,13 @@ struct ValveFacts {
   double atmosphere = 101325;
 };
 
+/// Difference of the pressures of inlet and outlet at a time.
+double difference(ValveFacts const& facts, double time);
+
+/// Kv, m3/h of water at 1 bar: Q sqrt(density / 1000 / dp[bar]), of a flow in m3/s; not a number
+/// where nothing drives it.
+double kv(double flow, double difference, double density);
+
 /// Figures of a valve, SI; not a number where the history has no answer. "Final" is the mean over
 /// the last tenth of the time.
 struct ValveSheet {
@@ -33,10 +40,11 @@ struct ValveSheet {
   double flow_rise;       // s from 10 to 90 % of the way to the final flow, at first passage
   double gap_final;       // m
   double gap_largest;     // m
-  double kv;              // of the final state, m3/h at 1 bar: Q sqrt(density / 1000 / dp[bar])
+  double kv;              // of the final state, m3/h at 1 bar
   double leak;            // mean flow over the later half of the time shut before the pilot opens
   double leak_class;      // 1 to 5, see leak_class()
   double pressure_least;  // of the mean pressure within the seat, Pa; a cell may have less
+  double cell_least;      // pressure in any cell of the lattice, Pa; not a number without one
   double cavitation;      // (outlet - vapour) / (inlet - outlet) of the final state, absolute
 };
 

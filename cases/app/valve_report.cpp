@@ -4,6 +4,7 @@
 
 #include "cases/app/chatter.hpp"
 #include "cases/app/valve_figures.hpp"
+#include "cases/app/valve_ramp.hpp"
 
 namespace velum::cases {
 namespace {
@@ -13,20 +14,26 @@ Curve pressure_over_time(Scene const& scene, char const* name, History const& hi
                          char const* column)
 {
   Boundary const* const b = find_boundary(scene, name);
-  bool const given = b && (b->kind == BoundaryKind::traction || b->kind == BoundaryKind::pressure ||
-                           b->kind == BoundaryKind::outflow);
-  return given ? b->value : Curve{history.time, history.column(column)};
+  return b && imposes_pressure(b->kind) ? b->value : Curve{history.time, history.column(column)};
+}
+
+std::string stretch_text(StretchRecord const& stretch)
+{
+  std::string const face =
+      stretch.face > 0 ? fmt::format(", {:.4f} in a face that bends", stretch.face) : "";
+  return fmt::format("  {:<34} {:.4f}{}\n", "largest stretch of the membrane", stretch.largest,
+                     face);
 }
 
 }  // namespace
 
-ValveReport valve_report(Scene const& scene, History const& history, double seat_diameter)
+ValveReport valve_report(Scene const& scene, History const& history, ValveSeen const& seen)
 {
   ValveFacts const facts{.density = scene.fluid.density,
                          .seals_at = scene.gap.seals_at,
                          .inlet = pressure_over_time(scene, "inlet", history, "pressure_outside"),
                          .outlet = pressure_over_time(scene, "outlet", history, "pressure_inside"),
-                         .seat_diameter = seat_diameter};
+                         .seat_diameter = seen.seat_diameter};
   ChatterSignals signals{history.time, history.column("gap"), history.column("pressure_outside"),
                          history.column("flow")};
   auto const inside = history.column("pressure_inside");
@@ -35,13 +42,21 @@ ValveReport valve_report(Scene const& scene, History const& history, double seat
   ChatterRule const rule;
   auto const sheet = valve_sheet(history, facts);
   auto const chatter = find_chatter(signals, rule);
-  ValveReport report{figures(sheet), {}, valve_text(sheet) + chatter_text(chatter, rule)};
+  auto const ramp = valve_ramp(history, facts);
+  auto const kv = kv_over_lift(history, facts);
+  ValveReport report{figures(sheet),
+                     {},
+                     valve_text(sheet) + ramp_text(ramp) + stretch_text(seen.stretch) +
+                         chatter_text(chatter, rule),
+                     kv.empty() ? "" : csv(kv)};
+  for (auto& figure : figures(ramp)) report.figures.push_back(std::move(figure));
   for (auto& figure : figures(chatter)) report.figures.push_back(std::move(figure));
   report.rules["valve figures"] = fmt::format(
       "final values are means of the last tenth of the time; Kv and cavitation number by the "
       "pressures of inlet and outlet, vapour at {:.4g} kPa and atmosphere at {:.4g} kPa; leak "
-      "class "
-      "by the limits of FCI 70-2, V only where the seat's diameter is known",
+      "class by the limits of FCI 70-2, V only where the seat's diameter is known; the valve "
+      "cracks and reseats where its gap passes the width at which it seals, while the pressure "
+      "difference changes as fast as the scene has it",
       facts.vapour_pressure / 1e3, facts.atmosphere / 1e3);
   report.rules["chatter"] = fmt::format(
       "an oscillation of the gap about its mean over two periods by more than {:.3g} um, for {:g} "

@@ -21,6 +21,7 @@ std::vector<core::Figure> figures(ValveSheet const& s)
           {"valve_leak_shut", s.leak, "m3/s"},
           {"valve_leak_class", s.leak_class, "1"},
           {"valve_pressure_inside_min", s.pressure_least, "Pa"},
+          {"valve_pressure_cell_min", s.cell_least, "Pa"},
           {"valve_cavitation_number", s.cavitation, "1"}};
 }
 
@@ -53,6 +54,8 @@ std::string valve_text(ValveSheet const& s)
                                       classes[static_cast<std::size_t>(s.leak_class) - 1])
                         : ""));
   row("least pressure within the seat", fmt::format("{:.4g} kPa", s.pressure_least / 1e3));
+  if (known(s.cell_least))
+    row("least pressure in a cell", fmt::format("{:.4g} kPa", s.cell_least / 1e3));
   if (known(s.cavitation)) row("cavitation number, final", fmt::format("{:.3g}", s.cavitation));
   return t;
 }
