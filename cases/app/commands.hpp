@@ -14,6 +14,9 @@ void mesh_command(Options const& options);
 /// velum chart: error against wall time of scenes over resolution, collision and precision; a CSV
 /// file, a picture and a line for each run.
 void chart_command(Options const& options);
+/// velum sweep: a scene once for every combination of some values, each in a folder; a CSV file, a
+/// picture and a line for each run. What an earlier sweep has done is not run again.
+void sweep_command(Options const& options);
 /// velum limits: largest stable Reynolds and Mach numbers of every collision; the same.
 void limits_command(Options const& options);
 /// velum limits contact_penalty: penetration, errors and work of a contact over its stiffness; the

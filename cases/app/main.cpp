@@ -50,6 +50,8 @@ void carry_out(cases::Options const& options)
       return cases::mesh_command(options);
     case cases::Command::chart:
       return cases::chart_command(options);
+    case cases::Command::sweep:
+      return cases::sweep_command(options);
     case cases::Command::limits:
       return cases::limits_command(options);
     case cases::Command::fit:

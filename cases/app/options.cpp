@@ -105,6 +105,38 @@ void add_chart(CLI::App& app, Options& options)
   add_common(*chart, options);
 }
 
+void add_sweep(CLI::App& app, Options& options)
+{
+  auto* sweep = app.add_subcommand(
+      "sweep", "A scene once for every combination of some values; a table and a map of figures");
+  add_scene(*sweep, options);
+  sweep
+      ->add_option("--over", options.over,
+                   "A key and its values: inlet.pressure=\"50 kPa,100 kPa\". Commas within [] or "
+                   "quotes belong to a value. Repeated, all combinations are run; the picture "
+                   "shows one key or two, the first along x")
+      ->required()
+      ->type_name("KEY=V1,V2")
+      ->take_all()
+      ->allow_extra_args(false);
+  sweep
+      ->add_option("--show", options.show,
+                   "A figure of summary.json to print and to draw (of a valve flow, gap, pressure "
+                   "above and chatter; otherwise the first four that differ). May be repeated")
+      ->type_name("FIGURE")
+      ->take_all()
+      ->allow_extra_args(false);
+  add_out(*sweep, options, "results/sweep_<name of the scene>");
+  add_common(*sweep, options);
+  sweep->footer(
+      "sweep.csv has a row for each run: the values, \"ok\" or why it failed, all figures. Runs "
+      "are kept\nin folders of their own; what is done there is not run again, so that a sweep "
+      "that was stopped\ngoes on with the same command.\n"
+      "  velum sweep scene.toml --over inlet.pressure=\"50 kPa,100 kPa\" \\\n"
+      "    --over \"membrane.thickness=1 mm,2 mm\" --show seat_force\n" +
+      sweep->get_footer());
+}
+
 void add_limits(CLI::App& app, Options& options)
 {
   auto* limits = app.add_subcommand(
@@ -187,6 +219,7 @@ Command parsed(CLI::App const& app)
          : name == "stl"    ? Command::stl
          : name == "mesh"   ? Command::mesh
          : name == "chart"  ? Command::chart
+         : name == "sweep"  ? Command::sweep
          : name == "limits" ? Command::limits
          : name == "fit"    ? Command::fit
          : name == "plot"   ? Command::plot
@@ -235,6 +268,7 @@ CommandLine read_command_line(int argc, char const* const* argv)
   add_common(*stl, options);
   add_mesh(app, options);
   add_chart(app, options);
+  add_sweep(app, options);
   add_limits(app, options);
   add_fit(app, options);
   add_plot(app, options);
@@ -243,7 +277,7 @@ CommandLine read_command_line(int argc, char const* const* argv)
   auto* info = app.add_subcommand("info", "Version, back ends, threads, libraries");
   add_common(*info, options);
 
-  std::vector<std::string> const commands{"run",    "check", "stl",  "mesh",  "chart",
+  std::vector<std::string> const commands{"run",    "check", "stl",  "mesh",  "chart", "sweep",
                                           "limits", "fit",   "plot", "bench", "info"};
   if (argc > 1 && argv[1][0] != '-' &&
       std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {

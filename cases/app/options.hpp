@@ -6,13 +6,15 @@
 
 namespace velum::cases {
 
-enum class Command { run, check, stl, mesh, chart, limits, fit, plot, bench, info };
+enum class Command { run, check, stl, mesh, chart, sweep, limits, fit, plot, bench, info };
 
 /// What the command line asks for.
 struct Options {
   Command command;
   std::filesystem::path scene;
   std::vector<std::filesystem::path> scenes;  // of a chart
+  std::vector<std::string> over;              // "key=value,value", of a sweep,
+  std::vector<std::string> show;              // and the figures that it shows; empty: its choice
   std::string map;                            // of limits
   int cells = 0;                              // across a map's flow; 0: the command's choice
   bool quick = false;                         // fewer and coarser runs

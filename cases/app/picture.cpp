@@ -1,6 +1,7 @@
 #include "cases/app/picture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 
@@ -8,14 +9,16 @@
 
 namespace velum::cases {
 
-void draw(std::string const& script, std::filesystem::path const& folder)
+void draw(std::string const& script, std::filesystem::path const& folder,
+          std::vector<std::string> const& more)
 {
-  std::string const python = setting("PYTHON", "/usr/bin/python3");
-  auto const file = plot_script(script);
+  std::vector<std::string> words{setting("PYTHON", "/usr/bin/python3"),
+                                 plot_script(script).string(), folder.string()};
+  words.insert(words.end(), more.begin(), more.end());
   std::fflush(stdout);
-  if (succeeds({python, file.string(), folder.string()}, Voice::heard)) return;
-  fmt::print(stderr, "The picture was not drawn; with matplotlib, {} {} {} draws it.\n", python,
-             file.string(), folder.string());
+  if (succeeds(words, Voice::heard)) return;
+  fmt::print(stderr, "The picture was not drawn; with matplotlib, {} draws it.\n",
+             fmt::join(words, " "));
 }
 
 }  // namespace velum::cases

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -30,6 +32,13 @@ void take_over(std::filesystem::path const& from, std::filesystem::path const& o
       throw core::InputError(fmt::format("--out: {} cannot be copied to {}: {}.",
                                          (from / name).string(), out.string(), error.message()));
   }
+}
+
+/// The whole text of a file; empty where there is none.
+std::string text_of(std::filesystem::path const& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
@@ -67,6 +76,16 @@ void prepare_results(SceneFile const& source, std::vector<std::string> const& fi
   if (!file)
     throw core::InputError(fmt::format("--out: the results folder {} cannot be written: {}.",
                                        out.string(), std::generic_category().message(errno)));
+}
+
+bool is_of_scene(std::filesystem::path const& out, SceneFile const& source,
+                 std::vector<std::string> const& files)
+{
+  auto const folder = std::filesystem::path(source.file).parent_path();
+  return text_of(out / "scene.toml") == source.text &&
+         std::all_of(files.begin(), files.end(), [&](std::string const& name) {
+           return text_of(out / name) == text_of(folder / name);
+         });
 }
 
 std::vector<std::string> files_of(std::vector<Solid> const& solids,

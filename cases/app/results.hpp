@@ -14,6 +14,11 @@ namespace velum::cases {
 void prepare_results(SceneFile const& source, std::vector<std::string> const& files,
                      std::filesystem::path const& out, std::filesystem::path const& restart = {});
 
+/// Whether a folder was made ready for this very scene: its scene.toml, and beside it the files
+/// that it names, are the same to the last byte.
+bool is_of_scene(std::filesystem::path const& out, SceneFile const& source,
+                 std::vector<std::string> const& files);
+
 /// Names of the files beside a scene that it reads.
 /// @param others  besides those of solids and materials; empty names count for none
 std::vector<std::string> files_of(std::vector<Solid> const& solids,

@@ -1,41 +1,18 @@
-#include "cases/app/body_run.hpp"
+#include "cases/app/any_scene.hpp"
 #include "cases/app/commands.hpp"
 #include "cases/app/results.hpp"
 #include "cases/app/scene_checks.hpp"
-#include "cases/app/simulation.hpp"
 #include "cases/app/stop.hpp"
 #include "core/check.hpp"
 #include "core/log.hpp"
 
 namespace velum::cases {
-
 namespace {
 
-/// What a paper or a measurement says, beside a scene, for velum plot to mark.
-constexpr char const* paper_values = "paper.csv";
-
-/// Makes the results folder of a Scene or a BodyScene ready and starts the log in it.
-/// @param other  name of a file beside it that it is from: a mesh, another scene; empty: none
-template <class AnyScene>
-std::filesystem::path begin(Options const& options, AnyScene const& scene, std::string const& other)
+void check_restart(std::filesystem::path const& file, AnyScene const& scene)
 {
-  auto const otherwise = options.restart.empty() ? std::filesystem::path("results") / scene.name
-                                                 : options.restart.parent_path();
-  auto const out = std::filesystem::absolute(options.out.empty() ? otherwise : options.out);
-  prepare_results(
-      scene.source,
-      files_of(scene.solids, scene.materials,
-               {other, scene.reference ? scene.reference->file : std::string(), paper_values}),
-      out, options.restart);
-  core::start_log(out, options.quiet ? core::Console::quiet : core::Console::normal,
-                  !options.restart.empty());
-  catch_stop_signals();
-  return out;
-}
-
-void check_restart(std::filesystem::path const& file, bool coupled)
-{
-  core::require(coupled,
+  auto const* coupled = std::get_if<Scene>(&scene);
+  core::require(coupled && can_be_kept(*coupled),
                 "--restart is for fluid and membrane together with coupling.method = \"sharp\"; no "
                 "other run writes checkpoints.");
   std::error_code ignored;
@@ -45,21 +22,22 @@ void check_restart(std::filesystem::path const& file, bool coupled)
 
 }  // namespace
 
-void run_command(Options const& command_line)
+void run_command(Options const& options)
 {
-  Options options = command_line;
-  if (!options.restart.empty()) options.restart = std::filesystem::absolute(options.restart);
-  if (is_body_scene(options.scene, options.set)) {
-    auto const scene = read_body_scene(options.scene, options.set);
-    if (!options.restart.empty()) check_restart(options.restart, false);
-    return run_body(scene, begin(options, scene, scene.body.file));
+  auto const scene = read_any_scene(options.scene, options.set);
+  auto restart = options.restart;
+  auto otherwise = std::filesystem::path("results") / name_of(scene);
+  if (!restart.empty()) {
+    restart = std::filesystem::absolute(restart);
+    check_restart(restart, scene);
+    otherwise = restart.parent_path();
   }
-  Scene const scene = read_scene(options.scene, options.set);
-  if (!options.restart.empty()) check_restart(options.restart, can_be_kept(scene));
-  run(scene, {.out = begin(options, scene, scene.start ? scene.start->scene : ""),
-              .quiet = options.quiet,
-              .restart = options.restart,
-              .set = options.set});
+  auto const out = std::filesystem::absolute(options.out.empty() ? otherwise : options.out);
+  prepare_results(source_of(scene), files_of(scene), out, restart);
+  core::start_log(out, options.quiet ? core::Console::quiet : core::Console::normal,
+                  !restart.empty());
+  catch_stop_signals();
+  run_any(scene, {.out = out, .quiet = options.quiet, .restart = restart, .set = options.set});
 }
 
 }  // namespace velum::cases

@@ -31,4 +31,8 @@ std::string to_json(Summary const& summary);
 /// Writes to_json() at once (see write_atomically).
 void write_summary(std::filesystem::path const& file, Summary const& summary);
 
+/// Reads back what write_summary() wrote; a figure that is null there is not a number.
+/// @throws InputError  the file cannot be read, or is no such summary
+Summary read_summary(std::filesystem::path const& file);
+
 }  // namespace velum::core

@@ -62,7 +62,7 @@ TEST_F(ProgramOnBadInput, MisuseOfTheCommandLine)
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.text,
             "chek is not a command of velum; did you mean \"check\"? Commands: run, check, stl, "
-            "mesh, chart, limits, fit, plot, bench, info.\n");
+            "mesh, chart, sweep, limits, fit, plot, bench, info.\n");
 }
 
 TEST_F(ProgramOnBadInput, GoodUseExitsWithZeroAndWithoutNoiseFromKokkos)

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -41,6 +42,38 @@ TEST(Summary, numbers_read_back_as_the_same_double)
     std::string const key = "\"value\": ";
     EXPECT_EQ(std::strtod(text.c_str() + text.find(key) + key.size(), nullptr), value) << text;
   }
+}
+
+TEST(Summary, reads_back_as_it_was_written)
+{
+  Scratch const scratch("summary_read");
+  auto const file = scratch.folder / "summary.json";
+  Summary const written{{{"leak", -1.25e-15, "m3/s"},
+                         {"third", 1.0 / 3, "1"},
+                         {"mach_max", std::numeric_limits<double>::quiet_NaN(), "1"}},
+                        {{"time step", "chosen so that \"Ma\" <= 0.1"}, {"path", "a\\b\n\x01"}}};
+  write_summary(file, written);
+  auto const read = read_summary(file);
+  EXPECT_EQ(to_json(read), to_json(written));
+  EXPECT_TRUE(std::isnan(read.figures[2].value));
+  EXPECT_EQ(read.assumptions, written.assumptions);
+  write_summary(file, {});
+  EXPECT_EQ(to_json(read_summary(file)), to_json({}));
+}
+
+TEST(Summary, is_refused_where_it_is_cut_short_or_something_else)
+{
+  Scratch const scratch("summary_cut");
+  auto const file = scratch.folder / "summary.json";
+  EXPECT_THROW(read_summary(file), InputError);
+  // up to the last brace, behind which there is a line break alone
+  std::string const whole = to_json({{{"leak", 1, "1"}}, {{"gap", "a law"}, {"path", "\x01"}}});
+  for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
+    write_atomically(file, whole.substr(0, length));
+    EXPECT_THROW(read_summary(file), InputError) << whole.substr(0, length);
+  }
+  write_atomically(file, R"({"leak": {"value": "none", "unit": "1"}})");
+  EXPECT_THROW(read_summary(file), InputError);
 }
 
 TEST(Summary, refuses_two_entries_of_one_name)
