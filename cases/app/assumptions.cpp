@@ -118,6 +118,11 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
     if (scene.membrane->centre)
       a["centre"] = fmt::format("moved as given out to {:.4g} mm from the axis",
                                 1e3 * scene.membrane->centre->radius);
+    if (auto const& stop = scene.membrane->stop)
+      a["lift stop"] = fmt::format(
+          "a rigid plane at axial {:.4g} mm, out to {:.4g} mm from the axis, by the penalty of the "
+          "seat; no liquid squeezed out in front of it",
+          1e3 * stop->position, 1e3 * stop->radius);
     a["damping"] = fmt::format(
         "alpha = {:.3g} 1/s, beta = {:.3g} s on the stiffness of the state the march starts from{}",
         m.damping_mass, m.damping_stiffness,

@@ -134,6 +134,7 @@ CoupledScene<Real, Body> make_coupled_scene(Scene const& scene, HydrostaticScene
   state.stepper = membrane_stepper(scene, s.derived, hydrostatic);
   state.one_way = scene.coupling.feedback == Feedback::one_way;
   s.driven = hydrostatic.driven;
+  s.stop = hydrostatic.stop;
   for (PatchOpening const& o : lattice.openings) {
     state.openings.push_back(o.opening);
     s.boundary.push_back(o.boundary);

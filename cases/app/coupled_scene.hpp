@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct CoupledScene {
   std::vector<std::string> boundary;  // of each opening
   NetworkKey key;                     // of the chambers
   std::vector<int> driven;            // nodes of the membrane that are moved as given
+  std::optional<structure::LiftStop> stop{};
   double divide = std::numeric_limits<double>::infinity();  // radius of the seat, cells; without
                                                             // one all is inside
 

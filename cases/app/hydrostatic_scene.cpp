@@ -6,6 +6,8 @@
 #include "structure/spring.hpp"
 #include "structure/stable_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -54,6 +56,18 @@ double lightest_on_seat(structure::Membrane const& m, ibm::SeatContact const& se
   return least;
 }
 
+/// The stop, once the valve is closed: it must be clear of it.
+void add_stop(HydrostaticScene& s, Scene const& scene, Derived const& d)
+{
+  double const face = structure::highest_face(s.membrane, *s.stop);
+  if (face > s.stop->position)
+    reject(scene, "membrane.stop.position",
+           fmt::format("= {:.4g} mm lies in the closed valve, whose face comes up to {:.4g} mm "
+                       "within that radius; raise it, or make membrane.stop.radius smaller.",
+                       1e3 * scene.membrane->stop->position, 1e3 * d.units.dx * face));
+  s.loads.push_back(structure::stop_load(s.membrane, *s.stop));
+}
+
 /// Sub-steps that the membrane takes where it is, closed.
 int substeps_of(HydrostaticScene const& s, Eigen::VectorXd const& position)
 {
@@ -79,7 +93,8 @@ double pressure_above(Scene const& scene)
 
 HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
 {
-  HydrostaticScene s{lattice_membrane(scene, d), {}, {}, {}, {}, 1, {}, {}, {}};
+  HydrostaticScene s;
+  s.membrane = lattice_membrane(scene, d);
   auto const& sheet = *scene.membrane;
   double const dx = d.units.dx;
   s.bending = s.loads = bending_of(sheet, s.membrane);
@@ -109,6 +124,8 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
     s.seat->contact.stiffness = k;
     for (int a = 0; a < mass.size(); ++a)
       if (areal_mass[a] >= lightest) s.contact_stiffness[a] = k * area[a];
+    if (sheet.stop)
+      s.stop = structure::LiftStop{sheet.stop->position / dx, sheet.stop->radius / dx, k};
   }
   s.substeps = substeps_of(s, s.membrane.reference);
   return s;
@@ -129,6 +146,7 @@ void find_equilibrium(HydrostaticScene& s, Scene const& scene, Derived const& d)
   s.load.above = core::to_lattice_pressure(d.units, pressure_above(scene));
   s.load.inside = core::to_lattice_pressure(d.units, outlet_pressure(scene, 0));
   s.report = ibm::hydrostatic_equilibrium(s.membrane, s.seat, s.loads, s.load, augment);
+  if (s.stop) add_stop(s, scene, d);
   // other laws than the neo-Hookean one may stiffen as they are stretched
   if (scene.materials.at(scene.membrane->material).card)
     s.substeps = std::max(s.substeps, substeps_of(s, s.membrane.position));

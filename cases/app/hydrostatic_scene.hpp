@@ -1,10 +1,12 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cases/app/derived.hpp"
 #include "cases/app/scene.hpp"
 #include "ibm/hydrostatic.hpp"
+#include "structure/lift_stop.hpp"
 #include "structure/stepper.hpp"
 
 namespace velum::cases {
@@ -12,12 +14,13 @@ namespace velum::cases {
 /// Membrane, spring and seat of a scene in static equilibrium with fluid at rest. Lattice units.
 struct HydrostaticScene {
   structure::Membrane membrane;
-  std::vector<structure::Load> bending;    // empty: none
-  std::vector<structure::Load> loads;      // bending and spring
-  std::vector<int> driven;                 // nodes of the centre that is moved as given
-  std::shared_ptr<ibm::SeatContact> seat;  // empty without a contact
-  int substeps = 1;                        // of an explicit step of the lattice's length
-  ibm::HydrostaticLoad load;               // the region pressures
+  std::vector<structure::Load> bending;       // empty: none
+  std::vector<structure::Load> loads;         // bending and spring
+  std::vector<int> driven;                    // nodes of the centre that is moved as given
+  std::shared_ptr<ibm::SeatContact> seat;     // empty without a contact
+  std::optional<structure::LiftStop> stop{};  // its load is added once the valve is closed
+  int substeps = 1;                           // of an explicit step of the lattice's length
+  ibm::HydrostaticLoad load;                  // the region pressures
   ibm::HydrostaticReport report;
   Eigen::VectorXd contact_stiffness;  // per node
 };

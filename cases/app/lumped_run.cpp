@@ -49,6 +49,7 @@ std::vector<double> row(LumpedScene const& s, Scene const& scene, double time)
   };
   auto const more = network_row(state.network, s.key, scene, s.derived, time);
   r.insert(r.end(), more.begin(), more.end());
+  add_stop(r, s.stop, s.state.membrane, s.derived);
   return r;
 }
 
@@ -74,8 +75,7 @@ void record(Output& out, LumpedScene const& s, Scene const& scene, double time)
 double seat_diameter(LumpedScene const& s, Scene const& scene)
 {
   if (symmetry(scene) != core::Symmetry::axisymmetric) return 0;
-  auto const& narrowest = s.state.seat->markers.X[static_cast<std::size_t>(s.state.gap.narrowest)];
-  return 2 * core::to_si_length(s.derived.units, narrowest[1]);
+  return 2 * core::to_si_length(s.derived.units, s.state.gap.at[1]);
 }
 
 }  // namespace

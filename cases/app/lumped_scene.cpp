@@ -9,13 +9,12 @@ namespace {
 void join_ports(LumpedScene& s, Scene const& scene)
 {
   auto const chambers = static_cast<int>(s.state.network.chambers.size());
-  auto const narrowest = s.state.seat->markers.X[static_cast<std::size_t>(s.state.gap.narrowest)];
   auto const region = [&](int node) {
     if (node < chambers) return node;
     auto const& b = scene.boundaries[static_cast<std::size_t>(node - chambers)];
     if (b.kind != BoundaryKind::port) return node;
     double const y = (b.patches[0].from[0] + b.patches[0].to[0]) / 2 / s.derived.units.dx;
-    return y < narrowest[1] ? s.state.inside : s.state.outside;
+    return y < s.state.gap.at[1] ? s.state.inside : s.state.outside;
   };
   for (auto& p : s.state.network.passages) {
     p.from = region(p.from);
@@ -41,6 +40,7 @@ LumpedScene make_lumped_scene(Scene const& scene, Derived const& d, HydrostaticS
   bool const has_above = find_chamber(scene, ChamberSide::above) != nullptr;
   auto made = make_network(scene, d, has_above ? 2 : 3);
   LumpedScene s{d, std::move(made.key), {}};
+  s.stop = start.stop;
   auto& state = s.state;
   state.membrane = start.membrane;
   state.loads = start.loads;

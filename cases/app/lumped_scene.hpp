@@ -10,6 +10,7 @@ struct LumpedScene {
   Derived derived;
   NetworkKey key;
   ibm::Lumped state;
+  std::optional<structure::LiftStop> stop{};
 };
 
 /// The membrane in its hydrostatic state, the regions below it joined to inlet and outlet by the

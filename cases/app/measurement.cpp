@@ -107,6 +107,7 @@ Measurement measure(CoupledScene<Real, Body> const& s, Scene const& scene, Flows
   m.gap_by_law = flows.steps > 0 ? flows.by_law / flows.steps : 0;
   flows.recent = flows.steps = flows.by_law = 0;
   if (chambers) m.network = network_row(chambers->network, s.key, scene, s.derived, time);
+  add_stop(m.network, s.stop, s.state.membrane, s.derived);
   return m;
 }
 

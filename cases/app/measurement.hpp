@@ -19,7 +19,7 @@ struct Measurement {
   double flow = 0;        // out of the outlet, with what orifices bring there, m3/s: mean since
                           // the last measurement
   double gap_by_law = 0;  // share of these steps in which the gap's flow came from its law
-  std::vector<double> network;  // what network_columns() names
+  std::vector<double> network;  // what valve_columns() names last
   double speed_max = 0;         // of the fluid
   double pressure_least = 0;    // in any of its cells
   double density_error = 0;     // largest |rho - rho0| / rho0

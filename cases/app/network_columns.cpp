@@ -13,7 +13,16 @@ std::vector<core::Column> valve_columns(Scene const& scene, std::vector<core::Co
     columns.push_back({"flow_" + o.name, "m3/s"});
     if (o.seat) columns.push_back({"lift_" + o.name, "m"});
   }
+  if (scene.membrane->stop) columns.push_back({"stop_force", "N"});
   return columns;
+}
+
+void add_stop(std::vector<double>& row, std::optional<structure::LiftStop> const& stop,
+              structure::Membrane const& membrane, Derived const& d)
+{
+  if (stop)
+    row.push_back(core::to_si_force(d.units, membrane.symmetry,
+                                    structure::stop_force(membrane, *stop, membrane.position)));
 }
 
 std::vector<double> network_row(ibm::Network const& network, NetworkKey const& key,

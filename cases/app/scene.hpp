@@ -137,6 +137,11 @@ struct DrivenCentre {
   Curve displacement;  // over time
 };
 
+/// Rigid plane across the axis that the membrane's plus face comes up against, out to a radius.
+struct Stop {
+  double position, radius;
+};
+
 /// Flat membrane across the first axis; its mid-surface lies at `position`.
 struct MembraneSheet {
   MembraneShape shape;
@@ -149,6 +154,7 @@ struct MembraneSheet {
   Bending bending = Bending::auto_;
   std::optional<DrivenCentre> centre{};
   std::optional<Spring> spring{};
+  std::optional<Stop> stop{};
 };
 
 /// Thickness over what a membrane spans; above the limit bending is on where the scene leaves it to

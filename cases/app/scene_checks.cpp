@@ -183,6 +183,8 @@ void check_membrane(Scene const& scene)
                     mm(membrane.from), mm(membrane.to), mm(lattice.from[1]), mm(lattice.to[1])));
   check_rim(scene, membrane.to, disc ? "membrane.radius" : "membrane.to");
   if (!disc) check_rim(scene, membrane.from, "membrane.from");
+  if (membrane.stop && !scene.contact)
+    reject(scene, "membrane.stop", "needs a [contact] with a seat, whose stiffness it shares.");
   if (membrane.spring &&
       membrane.spring->radius > 0.5 * (membrane.to - membrane.from) * (disc ? 2 : 1))
     reject(scene, "membrane.spring.radius", "must not exceed that of the membrane.");

@@ -56,12 +56,24 @@ DrivenCentre read_centre(SceneTable table, MembraneSheet const& membrane)
   return centre;
 }
 
+Stop read_stop(SceneTable table, MembraneSheet const& membrane)
+{
+  table.allow({"position", "radius"});
+  Stop const stop{table.quantity("position", Dimension::length),
+                  table.quantity("radius", Dimension::length, Sign::positive, membrane.to)};
+  if (membrane.shape != MembraneShape::disc)
+    table.fail("radius", "belongs to a disc; a strip has no stop.");
+  if (stop.radius > membrane.to) table.fail("radius", "must not exceed that of the membrane.");
+  return stop;
+}
+
 }  // namespace
 
 MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx)
 {
-  std::vector<std::string> keys{"shape",     "material", "position", "radius",  "from",   "to",
-                                "thickness", "element",  "rim",      "bending", "centre", "spring"};
+  std::vector<std::string> keys{"shape",  "material",  "position", "radius", "from",
+                                "to",     "thickness", "element",  "rim",    "bending",
+                                "centre", "spring",    "stop"};
   table.allow(keys);
   auto const shape = table.choice<MembraneShape>("shape");
   bool const disc = shape == MembraneShape::disc;
@@ -90,6 +102,7 @@ MembraneSheet read_membrane(SceneTable table, core::Symmetry symmetry, double dx
     table.fail("element", "must be at most half the width of the membrane.");
   if (table.has("centre")) membrane.centre = read_centre(table.table("centre"), membrane);
   if (table.has("spring")) membrane.spring = read_spring(table.table("spring"), symmetry);
+  if (table.has("stop")) membrane.stop = read_stop(table.table("stop"), membrane);
   return membrane;
 }
 

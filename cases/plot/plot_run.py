@@ -12,6 +12,7 @@ from results import series
 from valve_history import draw_histories
 from valve_profiles import draw_profiles
 from valve_section import draw_seat, draw_sections
+from valve_sheet import draw_sheet
 from valve_spectrum import draw_spectrum
 
 
@@ -41,6 +42,8 @@ def main() -> None:
     valve = "gap" in series(run) and (run / "summary.json").exists()
     fields = has_sections(run)
     wanted = [("Over time", "history.png", draw_histories, True),
+              ("Kv over lift; flow over pressure", "sheet.png", draw_sheet,
+               valve and (run / "kv.csv").exists()),
               ("What oscillates", "spectrum.png", draw_spectrum, valve),
               ("Shape of the membrane", "profiles.png", draw_profiles,
                fields or has_profiles(run)),

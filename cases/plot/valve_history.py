@@ -13,7 +13,8 @@ COLOURS = ["#1b6ca8", "#c8553d", "#5a8f3c", "#8a5a9e", "#c99a2e", "#4d4d4d"]
 PAPER = {"quantity", "time [s]", "value", "unit", "label"}
 VALVE = [  # title, columns and what they are called; a name that ends in _ stands for all such
     ("pressure", {"pressure_above": "above the membrane", "pressure_outside": "around the seat",
-                  "pressure_inside": "within the seat", "pressure_": "{}"}),
+                  "pressure_inside": "within the seat",
+                  "pressure_least": "least of any cell", "pressure_": "{}"}),
     ("flow", {"flow": "out of the valve", "flow_": "{}"}),
     ("gap of the seat", {"gap": "gap"}),
     ("lift of the pilot", {"lift_": "{}"}),

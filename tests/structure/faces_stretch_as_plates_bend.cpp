@@ -37,8 +37,8 @@ double error(int elements)
   auto m = disc(elements);
   auto const bending = line_bending(m, Rim::clamped);
   double const p = 1e-3 * H * 64 * D / std::pow(a, 4);
-  std::array const loads{pressure_load(m, uniform_pressure(m, Side::minus, p)),
-                         bending_load(bending)};
+  auto const pressure = uniform_pressure(m, Side::minus, p);
+  std::array const loads{pressure_load(m, pressure), bending_load(bending)};
   static_solve(m, loads);
   return (largest_face_stretch(m) - 1) / (p * a * a * H / (16 * D)) - 1;
 }

@@ -1,10 +1,12 @@
-// problem:    derivative of elastic force, follower pressure and spring by all node positions
+// problem:    derivative of elastic force, follower pressure, spring and lift stop by all node
+//             positions
 // reference:  central differences of the same force with step 1e-6 of the radius
 // measure:    largest entry of the difference over the largest entry of the tangent
 // tolerance:  1e-7
 // why:        the differences err by step^2 (1e-12) and round-off over step (1e-16 / 1e-6 times a
 //             few); a missing term would show as 1e-2 or more
 #include "structure/internal_force.hpp"
+#include "structure/lift_stop.hpp"
 #include "structure/membrane.hpp"
 #include "structure/pressure_load.hpp"
 #include "structure/sheet_mesh.hpp"
@@ -48,6 +50,7 @@ TEST(Tangent, equals_finite_difference_for_every_force)
     EXPECT_LT(tangent_error(pressure_load(m, pressure), m.position), 1e-7);
 
     EXPECT_LT(tangent_error(spring_load(m, {2, 3, 1, 0.47}), m.position), 1e-7);
+    EXPECT_LT(tangent_error(stop_load(m, {0.2, 0.7, 3}), m.position), 1e-7);
   }
 }
 
