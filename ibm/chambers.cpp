@@ -16,10 +16,10 @@ double area_of(LatticePort const& p, std::vector<lbm::Opening> const& openings)
 
 /// The law of the gap at this instant; none where one edge is not in the lattice.
 void set_gap(Chambers& c, std::vector<lbm::Opening> const& openings, SeatContact const& seat,
-             core::Symmetry symmetry)
+             structure::Membrane const& membrane)
 {
   GapFlow& g = *c.gap;
-  g.gap = seat_gap(g.law, seat, symmetry);
+  g.gap = seat_gap(g.law, seat, membrane);
   bool const edges = openings[g.opening[0]].area > 0 && openings[g.opening[1]].area > 0;
   Passage& passage = c.network.passages[static_cast<std::size_t>(g.passage)];
   passage.loss = edges ? g.gap.loss : std::nullopt;
@@ -41,7 +41,7 @@ double gap_flow(Chambers const& c)
 void begin_step(Chambers& c, std::vector<lbm::Opening>& openings,
                 structure::Membrane const& membrane, SeatContact const* seat)
 {
-  if (c.gap) set_gap(c, openings, *seat, membrane.symmetry);
+  if (c.gap) set_gap(c, openings, *seat, membrane);
   for (LatticePort const& p : c.ports) {
     Port& port = c.network.ports[static_cast<std::size_t>(p.port)];
     double const area = area_of(p, openings);

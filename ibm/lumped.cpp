@@ -40,7 +40,7 @@ Eigen::MatrixXd areas(Lumped const& s)
 void locate(Lumped& s)
 {
   press(*s.seat, s.membrane.position);
-  s.gap = seat_gap(s.law, *s.seat, s.membrane.symmetry);
+  s.gap = seat_gap(s.law, *s.seat, s.membrane);
   Passage& passage = s.network.passages[static_cast<std::size_t>(s.gap_passage)];
   passage.loss = s.gap.loss;
   passage.inertance = s.gap.inertance;

@@ -2,36 +2,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "structure/faces.hpp"
 
 namespace velum::ibm {
+namespace {
 
-SeatGap seat_gap(GapLaw const& law, SeatContact const& seat, core::Symmetry symmetry)
+/// Distance of the points of the minus face from the seat, and that of the contact at its least.
+struct Distances {
+  std::vector<core::Vec2> face;
+  std::vector<double> gap;
+  double least;  // of the contact
+};
+
+Distances distances(SeatContact const& seat, structure::Membrane const& membrane)
 {
-  auto const& m = seat.markers;
-  std::size_t const n = m.X.size();
+  structure::Faces faces;
+  structure::locate_faces(membrane, membrane.position, 1, faces);
+  Distances d{std::move(faces.minus), {}, narrowest_gap(seat)};
+  for (auto const& point : d.face) d.gap.push_back(core::distance(seat.contact.obstacle, point));
+  return d;
+}
+
+}  // namespace
+
+SeatGap seat_gap(GapLaw const& law, SeatContact const& seat, structure::Membrane const& membrane)
+{
+  auto const symmetry = membrane.symmetry;
+  auto const [face, distance, least] = distances(seat, membrane);
+  std::size_t const n = face.size();
+  auto const nearest = std::min_element(distance.begin(), distance.end());
   SeatGap gap;
+  gap.least = least;
+  gap.narrowest = static_cast<int>(nearest - distance.begin());
+  gap.at = face[static_cast<std::size_t>(gap.narrowest)];
   gap.friction.assign(n, 0);
   gap.narrowness.assign(n, 0);
-
+  double const shift = *nearest - least;
   std::vector<double> g(n);
-  double section = 0;  // the least one, 2 pi r g
-  for (std::size_t a = 0; a < n; ++a) {
-    double const true_gap = contact::gap(seat.contact, m, a);
-    if (a == 0 || true_gap < gap.least) {
-      gap.least = true_gap;
-      gap.narrowest = static_cast<int>(a);
-    }
-    g[a] = std::max(true_gap, law.seals_at);
-  }
-  auto const across = [&](std::size_t a) { return core::ring(symmetry, m.X[a][1]) * g[a]; };
-  section = across(static_cast<std::size_t>(gap.narrowest));
+  for (std::size_t a = 0; a < n; ++a) g[a] = std::max(distance[a] - shift, law.seals_at);
+  auto const across = [&](std::size_t a) { return core::ring(symmetry, face[a][1]) * g[a]; };
+  double const section = across(static_cast<std::size_t>(gap.narrowest));
 
   double viscous = 0;
   gap.inertance = 0;
   for (std::size_t a = 0; a < n; ++a) {
     if (a > 0) {
-      double const length = std::hypot(m.X[a][0] - m.X[a - 1][0], m.X[a][1] - m.X[a - 1][1]);
-      double const ring = core::ring(symmetry, (m.X[a][1] + m.X[a - 1][1]) / 2);
+      double const length = norm(face[a] - face[a - 1]);
+      double const ring = core::ring(symmetry, (face[a][1] + face[a - 1][1]) / 2);
       if (g[a - 1] + g[a] < 20 * g[static_cast<std::size_t>(gap.narrowest)])
         gap.inertance += 2 * law.liquid.density * length / (ring * (g[a - 1] + g[a]));
       // int ds / g^3 of a gap linear along the element

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
 constexpr double relaxation = 0.2;             // of the velocity per step, damps the feedback loop
-constexpr double integral_gain = 2e-4;  // per step; below c_s / 4L for chambers up to 700 cells
 
 /// Density less 1 and velocity of a cell, and the part of the velocity into the fluid.
 template <int D>
@@ -174,7 +173,7 @@ void apply(Fluid<Real, L, Stored>& fluid, Opening& opening, double target)
       // traction to velocity is so large that the loop would run away
       double const wanted = (target - (opening.traction + opening.last_traction) / 2) / sound;
       opening.last_traction = opening.traction;
-      opening.integral += integral_gain * wanted;
+      opening.integral += opening.gain * wanted;
       double const U = opening.velocity;
       return impose_velocity(fluid, opening, U + relaxation * (opening.integral + wanted - U));
     }

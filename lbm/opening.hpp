@@ -20,6 +20,7 @@ struct Opening {
 
   double velocity = 0;       // of the inflow, as imposed in the last step
   double integral = 0;       // memory of the traction control
+  double gain = 2e-4;        // of that, per step; stable below c_s / 4L in chambers L cells long
   double last_traction = 0;  // one step before traction, for the same
   double slow_velocity = 0;  // mean inflow that the outflow condition does not resist
   double memory = 5000;      // steps over which it is the mean
@@ -45,7 +46,8 @@ double opening_area(Fluid<Real, L, Stored> const& fluid, std::vector<Link> const
 /// exact.
 /// traction: U relaxes to  I + (p_target - p)/(rho c_s),  dI = k (p_target - p)/(rho c_s): along
 /// the outgoing characteristic dp = rho c_s dU, so sound is absorbed, and the integral brings the
-/// mean traction to the target whatever flows.
+/// mean traction to the target whatever flows; while the flow grows it stays behind by rho c_s / k
+/// dU/dt, so that k = `gain` is to be as large as the chamber allows.
 /// pressure, outflow: where fluid leaves anti-bounce-back of the cell's equilibrium, f_o =
 /// feq_o(2 rho_b - rho, u), which lets vortices and jets pass at low viscosity. pressure: where it
 /// comes in the full anti-bounce-back, f_o = -f_i + 2 w rho_b (1 + 9/2 (c.u)^2 - 3/2 u^2), Ginzburg

@@ -78,7 +78,9 @@ void carry_opening(lbm::Opening const& from, lbm::Opening& to, double r)
 {
   to.kind = from.kind;
   to.velocity = r * from.velocity;
-  to.integral = r * from.integral;
+  // the pressure's part of the velocity, against rho c_s, is r times as large now: what is left of
+  // it goes on in the integral, or the inlet would jump
+  to.integral = r * (from.integral + (1 - r) * (from.velocity - from.integral));
   to.slow_velocity = r * from.slow_velocity;
   to.mass_flow = r * from.mass_flow;
   to.pressure = r * r * from.pressure;

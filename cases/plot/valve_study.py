@@ -27,8 +27,8 @@ def last(run: Path, name: str) -> float:
 
 def on_off(run: Path) -> list[str]:
     s = summary(run)
-    pressure = [f"{1e-3 * at(run, 'pressure_pilot', t):.0f}" for t in (0, 0.021, 0.06)]
-    flow = [f"{L_PER_H * at(run, 'flow', t):.0f}" for t in (0.031, 0.06)]
+    pressure = [f"{1e-3 * at(run, 'pressure_pilot', t):.0f}" for t in (0, 0.021, 0.1)]
+    flow = [f"{L_PER_H * at(run, 'flow', t):.0f}" for t in (0.031, 0.1)]
     return [run.name, *pressure, *flow, f"{1e6 * last(run, 'gap'):.0f}",
             f"{s.get('wall_time', float('nan')):.0f}"]
 
@@ -42,6 +42,12 @@ def plateau(run: Path) -> list[list[str]]:
                      f"{1e6 * at(run, 'gap', time):.2f}",
                      f"{at(run, 'seat_force', time):.2f}"])
     return rows
+
+
+def figures(run: Path, *names: str) -> list[str]:
+    """A row: the run, and figures of its summary as far as it has them."""
+    s = summary(run)
+    return [run.name, *(f"{s[k]:.4g}" if s.get(k) is not None else "-" for k in names)]
 
 
 def label(run: Path) -> str:
@@ -78,7 +84,7 @@ def main() -> None:
     folder = parser.parse_args().folder
     runs = sorted(run for run in folder.iterdir() if run.is_dir() and done(run))
     of = lambda prefix: [run for run in runs if run.name.startswith(prefix)]
-    head = ["run", "pilot chamber at 0", "20 ms after", "59 ms", "flow 30 ms after", "59 ms",
+    head = ["run", "pilot chamber at 0", "20 ms after", "at the end", "flow 30 ms after", "at the end",
             "last gap", "wall time (s)"]
     if of("on_"):
         print(table([head] + [on_off(run) for run in of("on_")]))
@@ -101,14 +107,23 @@ def main() -> None:
                 rows.append([run.name.removeprefix("par_"), f"{1e-3 * p:.1f}",
                              f"{100 * (p / p0 - 1):+.1f} %", f"{q:.0f}", f"{100 * (q / q0 - 1):+.0f} %"])
             print(table([["changed", "pilot chamber", "by", "flow", "by"]] + rows))
-    if of("beta_"):
-        rows = []
-        for run in of("beta_"):
-            s = summary(run)
-            rows.append([run.name.removeprefix("beta_"),
-                         *(f"{s[k]:.3g}" if s.get(k) is not None else "-"
-                           for k in ("chatter_frequency", "chatter_amplitude", "chatter_rate"))])
-        print(table([["beta", "frequency (Hz)", "amplitude (m)", "rate (1/s)"]] + rows))
+    if of("beta_") + of("chatter_"):
+        print(table([["run", "frequency (Hz)", "amplitude (m)", "rate (1/s)",
+                      "contacts per cycle", "flow against gap (deg)",
+                      "pressure against gap (deg)"]] +
+                    [figures(run, "chatter_frequency", "chatter_amplitude", "chatter_rate",
+                             "chatter_contacts_per_cycle", "chatter_phase_flow_gap",
+                             "chatter_phase_pressure_gap")
+                     for run in of("beta_") + of("chatter_")]))
+    if of("sheet_"):
+        print(table([["run", "cracks (Pa)", "reseats", "Kv at the end (m3/h)", "rise (s)",
+                      "leak (m3/s)", "class", "stretch", "in a face",
+                      "least pressure in a cell (Pa)", "cavitation number", "wall time (s)"]] +
+                    [figures(run, "valve_cracking_pressure", "valve_reseating_pressure",
+                             "valve_kv", "valve_flow_rise_time", "valve_leak_shut",
+                             "valve_leak_class", "stretch_max", "stretch_max_face",
+                             "valve_pressure_cell_min", "valve_cavitation_number", "wall_time")
+                     for run in of("sheet_")]))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,8 @@
 //             low Re; plane Poiseuille, q = h^3 dp / (12 mu L); between parallel discs, where
 //             friction rules, dp = 6 mu Q ln(R2/R1) / (pi h^3) (Savage 1964, methods.md C11)
 // measure:    flow over pressure difference, discharge coefficient, resistance
-// tolerance:  1e-12 for what is algebra; 1e-3 for the discs; 1 % for the limits of Cd
+// tolerance:  1e-12 for what is algebra; 1e-3 for the discs; 1 % for the limits of Cd; 1e-3 for the
+//             sections beside a land of 0.1 mm below a membrane of 4 mm, distances from its edges
 // why:        the ring is summed over 40 elements whose mean radius stands for 1/r: second order in
 //             1/40 of a decade; the limits are approached like Re_t/Re
 #include "ibm/loss.hpp"
@@ -11,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -81,8 +83,9 @@ SeatGap gap_of(double gap, core::Symmetry symmetry = core::Symmetry::axisymmetri
                                    structure::neo_hookean_rubber(1e6),
                                    1000,
                                    0};
-  press(seat, structure::flat_membrane(shape).position);
-  return seat_gap({water, 0.7, 1e-6}, seat, symmetry);
+  auto const membrane = structure::flat_membrane(shape);
+  press(seat, membrane.position);
+  return seat_gap({water, 0.7, 1e-6}, seat, membrane);
 }
 
 TEST(SeatGap, is_that_between_parallel_discs)
@@ -117,6 +120,27 @@ TEST(SeatGap, pressure_falls_from_outside_to_inside)
   // friction alone: half the fall over half the land; inertia alone: the square of the sections
   EXPECT_NEAR(outside_share(narrow, 1e-9)[20], 0.5, 0.03);
   EXPECT_NEAR(outside_share(wide, 1e-4)[20], 1 - std::pow(5 / 5.25, 2), 0.02);
+}
+
+TEST(SeatGap, widens_beside_the_land_of_a_thick_membrane)
+{
+  double const H = 4e-3, h = 8e-5;
+  auto const symmetry = core::Symmetry::axisymmetric;
+  auto const m =
+      structure::flat_membrane({symmetry, 4.7e-3, 5.5e-3, 1e-5, [=](double) { return H; },
+                                structure::neo_hookean_rubber(1e6), 1000, 0});
+  auto seat = make_seat_contact(core::box({-1, 4.8e-3}, {-H / 2 - h, 4.9e-3}), 1e9, m);
+  press(seat, m.position);
+  auto const gap = seat_gap({water, 0.7, 1e-6}, seat, m);
+  EXPECT_NEAR(gap.least, h, 1e-12);
+  EXPECT_GE(gap.at[1], 4.8e-3);
+  EXPECT_LE(gap.at[1], 4.9e-3);
+  for (int a = 0; a < structure::node_count(m); ++a) {
+    double const r = m.reference[2 * a + 1], beside = std::max({4.8e-3 - r, r - 4.9e-3, 0.0});
+    double const share = gap.at[1] * h / (r * std::hypot(beside, h));
+    EXPECT_NEAR(gap.narrowness[static_cast<std::size_t>(a)], std::min(share * share, 1.0), 1e-3)
+        << r;
+  }
 }
 
 }  // namespace
