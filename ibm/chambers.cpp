@@ -1,5 +1,7 @@
 #include "ibm/chambers.hpp"
 
+#include <algorithm>
+
 #include "structure/pressure_load.hpp"
 
 namespace velum::ibm {
@@ -23,6 +25,11 @@ void set_gap(Chambers& c, std::vector<lbm::Opening> const& openings, SeatContact
   bool const edges = openings[g.opening[0]].area > 0 && openings[g.opening[1]].area > 0;
   Passage& passage = c.network.passages[static_cast<std::size_t>(g.passage)];
   passage.loss = edges ? g.gap.loss : std::nullopt;
+  if (passage.loss) {
+    double const upstream = openings[g.opening[passage.flow >= 0 ? 0 : 1]].area;
+    double const head = g.law.liquid.density / (2 * upstream * upstream);
+    passage.loss->inertial = std::max(passage.loss->inertial - head, 0.0);
+  }
   passage.inertance = g.gap.inertance;
 }
 
@@ -49,8 +56,9 @@ void begin_step(Chambers& c, std::vector<lbm::Opening>& openings,
     port.pressure = 0;
     for (std::size_t k : p.openings) {
       lbm::Opening& o = openings[k];
-      port.pressure += (o.traction + o.last_traction) / 2 * o.area / area;
-      o.last_traction = o.traction;
+      double const now = p.of_cells ? o.before : o.traction;
+      port.pressure += (now + o.last_traction) / 2 * o.area / area;
+      o.last_traction = now;
     }
     port.impedance = sound / area;
     port.at_flow = port.flow;

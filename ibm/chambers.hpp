@@ -13,10 +13,15 @@ namespace velum::ibm {
 struct LatticePort {
   std::vector<std::size_t> openings;
   int port;
+  /// What the port takes for its pressure: that of the cells before it in the place of the
+  /// traction. What passes the staircase of a gap's edge is uneven, and a traction less rho U^2
+  /// keeps the momentum of the unevenness.
+  bool of_cells = false;
 };
 
 /// Flow through the membrane's own gap where a law stands in for the lattice: a passage between two
-/// ports, whose openings are the edges of the gap, outside and within.
+/// ports, whose openings are the edges of the gap, outside and within. What comes to the edge from
+/// upstream brings its velocity head along: the law's loss is less by rho Q^2 / (2 area^2).
 struct GapFlow {
   GapLaw law;
   int passage;
@@ -42,7 +47,7 @@ bool passes(Chambers const& c);
 /// @pre there is a gap flow
 double gap_flow(Chambers const& c);
 
-/// Before the membrane's step: the ports take the pressure that the openings measured, the mean of
+/// Before the membrane's step: the ports take the pressure that was measured there, the mean of
 /// two steps (at the lattice's own period of two its answer to velocity is too large), and what the
 /// membrane will feel of the chambers is made ready. A port's impedance is that of a plane wave
 /// into the lattice, rho c / area.

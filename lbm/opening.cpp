@@ -88,9 +88,10 @@ struct AtPressure {
   }
 };
 
-/// What comes in through an opening in a step, and its area as the profile weighs it.
+/// What comes in through an opening in a step, its area as the profile weighs it, and the force of
+/// the pressure before it on that.
 struct Passage {
-  double mass = 0, momentum = 0, area = 0;
+  double mass = 0, momentum = 0, area = 0, force = 0;
 };
 
 /// Sends back along every link what the rule says.
@@ -104,7 +105,7 @@ Passage send_back(Fluid<Real, L, Stored>& fluid, Opening const& opening, Rule co
   Passage sum;
   Kokkos::parallel_reduce(
       "velum::lbm::opening", opening.links.size,
-      KOKKOS_LAMBDA(int k, double& mass, double& momentum, double& area) {
+      KOKKOS_LAMBDA(int k, double& mass, double& momentum, double& area, double& force) {
         Link const l = links(k);
         int const cell = to.cell(l.i, l.j, l.k);
         double const cn = along<L>(l.dir, rule.n);
@@ -114,9 +115,11 @@ Passage send_back(Fluid<Real, L, Stored>& fluid, Opening const& opening, Rule co
         double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
         mass += ring * double(back - out);
         momentum -= ring * cn * double(back + out);
-        area -= ring * 6 * L::w(l.dir) * l.weight * cn;
+        double const part = -ring * 6 * L::w(l.dir) * l.weight * cn;
+        area += part;
+        force += part * near(to, cell, rule.n).rho / 3;
       },
-      sum.mass, sum.momentum, sum.area);
+      sum.mass, sum.momentum, sum.area, sum.force);
   return sum;
 }
 
@@ -134,6 +137,7 @@ void impose_velocity(Fluid<Real, L, Stored>& fluid, Opening& opening, double U)
   }
   opening.velocity = U;
   opening.mass_flow = sum.mass;
+  opening.before = sum.area > 0 ? sum.force / sum.area : 0;
   opening.traction = sum.momentum / opening.area - U * U;
 }
 
@@ -143,6 +147,7 @@ void impose_pressure(Fluid<Real, L, Stored>& fluid, Opening& opening, bool outfl
   auto const sum =
       send_back(fluid, opening, AtPressure{opening.normal, 3 * opening.pressure, outflow});
   opening.mass_flow = sum.mass;
+  opening.before = sum.area > 0 ? sum.force / sum.area : 0;
   opening.velocity = sum.mass / opening.area;
   opening.traction = sum.momentum / opening.area - opening.velocity * opening.velocity;
 }

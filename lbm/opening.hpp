@@ -21,13 +21,14 @@ struct Opening {
   double velocity = 0;       // of the inflow, as imposed in the last step
   double integral = 0;       // memory of the traction control
   double gain = 2e-4;        // of that, per step; stable below c_s / 4L in chambers L cells long
-  double last_traction = 0;  // one step before traction, for the same
+  double last_traction = 0;  // one step before traction, for the same; before `before`, of a gap
   double slow_velocity = 0;  // mean inflow that the outflow condition does not resist
   double memory = 5000;      // steps over which it is the mean
   double pressure = 0;       // imposed in the last step, less that of the rest state
 
   double mass_flow = 0;  // into the fluid in the last step, mass per step
   double traction = 0;   // mean normal traction over the opening in the last step
+  double before = 0;     // mean pressure of the cells before it, less that of the rest state
 };
 
 /// Finds the area of an opening whose links and normal are set.

@@ -44,7 +44,7 @@ void add_gap(CoupledScene<Real, Body>& s, Scene const& scene, ibm::Chambers& c)
     gap.opening[side] = s.state.openings.size();
     s.state.openings.push_back(edge);
     s.boundary.push_back("");
-    c.ports.push_back({{gap.opening[side]}, first + side});
+    c.ports.push_back({{gap.opening[side]}, first + side, true});
     c.network.ports.push_back({});
   }
   auto const node = static_cast<int>(c.network.chambers.size()) + first;

@@ -15,9 +15,9 @@
 namespace velum::cases {
 namespace {
 
-constexpr std::array files_of_run = {"run.h5",          "run.xmf",      "series.csv",
-                                     "summary.json",    "log.txt",      "checkpoint_a.h5",
-                                     "checkpoint_b.h5", "blackbox.csv", "blackbox_steps.csv"};
+constexpr std::array files_of_run = {
+    "run.h5",          "run.xmf",         "series.csv",   "summary.json",       "log.txt",
+    "checkpoint_a.h5", "checkpoint_b.h5", "blackbox.csv", "blackbox_steps.csv", "kv.csv"};
 
 /// Brings what a run goes on with into another folder.
 void take_over(std::filesystem::path const& from, std::filesystem::path const& out)

@@ -1,16 +1,14 @@
 """Everything in series.csv over time, a panel for each kind of quantity."""
-import csv
-import sys
 from pathlib import Path
 
 import numpy as np
 
+from paper import values as paper_values
 from results import UNITS, series, units
 from rim import at_the_rim
 from style import plt, save
 
 COLOURS = ["#1b6ca8", "#c8553d", "#5a8f3c", "#8a5a9e", "#c99a2e", "#4d4d4d"]
-PAPER = {"quantity", "time [s]", "value", "unit", "label"}
 VALVE = [  # title, columns and what they are called; a name that ends in _ stands for all such
     ("pressure", {"pressure_above": "above the membrane", "pressure_outside": "around the seat",
                   "pressure_inside": "within the seat",
@@ -48,21 +46,6 @@ def panels_of(data: dict[str, np.ndarray],
         columns = {n: n.replace("_", " ") for n in others if unit[n] == kind}
         panels.append((*columns.values(), columns) if len(columns) == 1 else ("", columns))
     return panels
-
-
-def paper_values(run: Path) -> list[dict[str, str]]:
-    """Rows of paper.csv, what a paper or a measurement says: quantity, time [s], value, unit,
-    label."""
-    file = run / "paper.csv"
-    if not file.exists():
-        return []
-    with open(file, newline="") as text:
-        rows = list(csv.DictReader(text, skipinitialspace=True))
-    for row in rows:
-        if not PAPER <= row.keys() or row["unit"] not in UNITS:
-            sys.exit(f"{file}: takes the columns {', '.join(sorted(PAPER))}, units one of "
-                     f"{', '.join(UNITS)}.")
-    return rows
 
 
 def mark_paper(axes, rows: list[dict[str, str]], factor: float) -> None:

@@ -4,6 +4,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.colors import Normalize, PowerNorm
 
+from paper import instants
 from results import Dump, dumps, series
 from style import RUBBER, SOLID, plt, save
 from valve_profiles import spread
@@ -12,6 +13,17 @@ INSTANTS = 4
 MILLI = 1e3
 HEAD = 0.6  # mm above the membrane that a section shows
 NEAR, ABOVE, BELOW = 0.7, 0.25, 1.05  # mm around the seat that its picture shows
+
+
+def shown(run: Path) -> list[Dump]:
+    """The states nearest to the instants that the paper names, or else some over the run."""
+    states = [Dump(run, n) for n in range(dumps(run))]
+    wanted = instants(run)
+    if not wanted:
+        return spread(states, INSTANTS)
+    times = np.array([s.time for s in states])
+    nearest = dict.fromkeys(int(np.argmin(np.abs(times - t))) for t in wanted)
+    return [states[n] for n in nearest]
 
 
 def speed(state: Dump) -> np.ndarray:
@@ -69,7 +81,7 @@ def bars(figure, panels, images) -> None:
 
 def draw_sections(run: Path, picture: Path) -> None:
     """At each instant the pressure on the left and the speed on the right."""
-    states = spread([Dump(run, n) for n in range(dumps(run))], INSTANTS)
+    states = shown(run)
     colours = Colours(states)
     lines = -(-len(states) // 2)
     columns = min(2, len(states))
@@ -118,7 +130,7 @@ def seat(states: list[Dump]) -> tuple[float, float]:
 
 def draw_seat(run: Path, picture: Path) -> None:
     """Around the seat: above the pressure, below the speed, an instant in each column."""
-    states = spread([Dump(run, n) for n in range(dumps(run))], INSTANTS)
+    states = shown(run)
     colours = Colours(states)
     radius, axial = seat(states)
     figure, panels = plt.subplots(2, len(states), figsize=(2.5 * len(states) + 1.2, 4.9),
