@@ -1,6 +1,8 @@
 #include "ibm/chambers.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "structure/pressure_load.hpp"
 
@@ -52,12 +54,17 @@ void begin_step(Chambers& c, std::vector<lbm::Opening>& openings,
   for (LatticePort const& p : c.ports) {
     Port& port = c.network.ports[static_cast<std::size_t>(p.port)];
     double const area = area_of(p, openings);
-    if (area <= 0) continue;
+    if (area <= 0) {  // when an edge comes back, nothing of what was there before counts
+      for (std::size_t k : p.openings)
+        openings[k].last_traction = std::numeric_limits<double>::quiet_NaN();
+      continue;
+    }
     port.pressure = 0;
     for (std::size_t k : p.openings) {
       lbm::Opening& o = openings[k];
       double const now = p.of_cells ? o.before : o.traction;
-      port.pressure += (now + o.last_traction) / 2 * o.area / area;
+      double const last = std::isnan(o.last_traction) ? now : o.last_traction;
+      port.pressure += (now + last) / 2 * o.area / area;
       o.last_traction = now;
     }
     port.impedance = sound / area;

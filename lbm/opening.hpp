@@ -21,7 +21,7 @@ struct Opening {
   double velocity = 0;       // of the inflow, as imposed in the last step
   double integral = 0;       // memory of the traction control
   double gain = 2e-4;        // of that, per step; stable below c_s / 4L in chambers L cells long
-  double last_traction = 0;  // one step before traction, for the same; before `before`, of a gap
+  double last_traction = 0;  // traction (of a gap's edge: `before`) one step ago, for its control
   double slow_velocity = 0;  // mean inflow that the outflow condition does not resist
   double memory = 5000;      // steps over which it is the mean
   double pressure = 0;       // imposed in the last step, less that of the rest state

@@ -16,7 +16,7 @@ double angle(core::Vec2 a, core::Vec2 b)
 
 }  // namespace
 
-double largest_face_stretch(Membrane const& m)
+double largest_face_stretch(Membrane const& m, Rim rim)
 {
   auto const length = [&](int e) { return norm(along(m.reference, e)); };
   auto const stretch = [&](int e) { return norm(along(m.position, e)) / length(e); };
@@ -29,7 +29,7 @@ double largest_face_stretch(Membrane const& m)
     if (before != behind)
       turn = 2 * angle(along(m.position, before), along(m.position, behind)) /
              (length(before) + length(behind));
-    else if (m.fixed[2 * a] && m.fixed[2 * a + 1])
+    else if (rim == Rim::clamped && m.fixed[2 * a] && m.fixed[2 * a + 1])
       turn = 2 * angle(along(m.reference, behind), along(m.position, behind)) / length(behind);
     else if (a == 0 && starts_on_axis(m))  // the mirror image goes on beyond the axis
       turn = 2 * angle({0, 1}, along(m.position, 0)) / length(0);

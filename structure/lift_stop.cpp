@@ -12,8 +12,8 @@ namespace {
 /// What a node that can meet the stop is.
 struct Meeting {
   int dof;
-  double limit;      // of its axial position
-  double stiffness;  // force per depth
+  double limit;  // of its axial position
+  double area;
 };
 
 std::vector<Meeting> meetings(Membrane const& m, LiftStop const& stop)
@@ -23,7 +23,7 @@ std::vector<Meeting> meetings(Membrane const& m, LiftStop const& stop)
   for (int a : nodes_within(m, stop.radius)) {
     double const H =
         (m.thickness[std::max(a - 1, 0)] + m.thickness[std::min(a, element_count(m) - 1)]) / 2;
-    all.push_back({2 * a, stop.position - H / 2, stop.stiffness * area[a]});
+    all.push_back({2 * a, stop.position - H / 2, area[a]});
   }
   return all;
 }
@@ -34,7 +34,7 @@ double stop_force(Membrane const& m, LiftStop const& stop, Eigen::VectorXd const
 {
   double force = 0;
   for (auto const& node : meetings(m, stop))
-    force += node.stiffness * std::max(0.0, x[node.dof] - node.limit);
+    force += *stop.stiffness * node.area * std::max(0.0, x[node.dof] - node.limit);
   return force;
 }
 
@@ -48,13 +48,13 @@ double highest_face(Membrane const& m, LiftStop const& stop)
 
 Load stop_load(Membrane const& m, LiftStop const& stop)
 {
-  return [all = meetings(m, stop)](Eigen::VectorXd const& x, Eigen::VectorXd& force,
-                                   Triplets* tangent) {
+  return [all = meetings(m, stop), k = stop.stiffness](Eigen::VectorXd const& x,
+                                                       Eigen::VectorXd& force, Triplets* tangent) {
     for (auto const& node : all) {
       double const depth = x[node.dof] - node.limit;
       if (depth <= 0) continue;
-      force[node.dof] -= node.stiffness * depth;
-      if (tangent) tangent->emplace_back(node.dof, node.dof, -node.stiffness);
+      force[node.dof] -= *k * node.area * depth;
+      if (tangent) tangent->emplace_back(node.dof, node.dof, -*k * node.area);
     }
   };
 }

@@ -2,13 +2,17 @@
 #include "structure/load.hpp"
 #include "structure/membrane.hpp"
 
+#include <memory>
+
 namespace velum::structure {
 
 /// A rigid plane across the axis that the plus face of a membrane comes up against.
 struct LiftStop {
-  double position;   ///< of the plane, along the axis
-  double radius;     ///< nodes of reference radius y <= radius meet it
-  double stiffness;  ///< penalty: pressure per depth, on the undeformed area of each node
+  double position;  ///< of the plane, along the axis
+  double radius;    ///< nodes of reference radius y <= radius meet it
+  /// Penalty: pressure per depth, on the undeformed area of each node. Shared, so that it follows
+  /// that of the seat wherever a march changes it.
+  std::shared_ptr<double const> stiffness;
 };
 
 /// Force by which the stop presses the membrane towards -x at the positions x, by penalty:

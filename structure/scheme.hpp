@@ -36,9 +36,10 @@ SchemeChoice choose_scheme(double dt, double stable, double cost_ratio,
 double typical_cost_ratio(Membrane const& m, Rayleigh const& damping);
 double typical_cost_ratio(Sheet const& s, Rayleigh const& damping);
 
-/// The same in a coupled run, where the step is that of the fluid: so short that one correction by
-/// the tangent of an earlier step does. Measured in the closed valve on chains of 84 nodes, 3 with
-/// bending and 3.5 without; explicit sub-steps too factor the wall blocks once.
+/// The same in a coupled run, or one between lumped chambers, where the step is that of the fluid:
+/// so short that one correction by the tangent of an earlier step does. Measured in the closed
+/// valve on chains of 84 nodes, 3 with bending and 3.5 without; explicit sub-steps too factor the
+/// wall blocks once.
 double coupled_cost_ratio(Membrane const& m);
 
 /// The same measured now, from the body's present state under the loads, on copies of it: wall

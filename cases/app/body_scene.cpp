@@ -4,6 +4,7 @@
 #include "cases/app/geometry.hpp"
 #include "cases/app/open_scene.hpp"
 #include "cases/app/overrides.hpp"
+#include "cases/app/scene_base.hpp"
 #include "cases/app/scene_sections.hpp"
 #include "cases/app/scene_text.hpp"
 #include "core/check.hpp"
@@ -235,7 +236,7 @@ void check(BodyScene const& scene)
 
 bool is_body_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides)
 {
-  auto table = parse_toml(file, "scene file");
+  auto table = read_tables(file);
   for (auto const& text : overrides) apply_override(table, text);
   return table["fidelity"].value<std::string>() == word(Fidelity::structure);
 }

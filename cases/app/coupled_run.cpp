@@ -75,13 +75,13 @@ std::string conclude(CoupledRun<Real, Body>& run, HydrostaticScene const& start,
   c.stretch_max = run.march.stretch.largest;
   add_range(said, run.march.stretch, run.scene.materials.at(run.scene.membrane->material));
   core::Summary summary{figures(c), said};
+  if (run.march.stretch.face > 0)
+    summary.figures.push_back({"stretch_max_face", run.march.stretch.face, "1"});
   std::string text = certificate_text(c);
   if (!run.scene.orifices.empty()) {
     auto const valve = report(run);
     summary.figures.insert(summary.figures.end(), valve.figures.begin(), valve.figures.end());
     summary.assumptions.insert(valve.rules.begin(), valve.rules.end());
-    if (run.march.stretch.face > 0)
-      summary.figures.push_back({"stretch_max_face", run.march.stretch.face, "1"});
     if (!valve.kv.empty()) core::write_atomically(run.options.out / "kv.csv", valve.kv);
     text =
         valve.text + fmt::format("wall time {:.1f} s, {:.0f} MLUPS, {:.1f} % of it the membrane's",

@@ -124,8 +124,12 @@ HydrostaticScene make_membrane_scene(Scene const& scene, Derived const& d)
     s.seat->contact.stiffness = k;
     for (int a = 0; a < mass.size(); ++a)
       if (areal_mass[a] >= lightest) s.contact_stiffness[a] = k * area[a];
-    if (sheet.stop)
-      s.stop = structure::LiftStop{sheet.stop->position / dx, sheet.stop->radius / dx, k};
+    if (sheet.stop) {
+      s.stop = structure::LiftStop{
+          sheet.stop->position / dx, sheet.stop->radius / dx, {s.seat, &s.seat->contact.stiffness}};
+      for (int a : structure::nodes_within(s.membrane, s.stop->radius))
+        s.contact_stiffness[a] = k * area[a];
+    }
   }
   s.substeps = substeps_of(s, s.membrane.reference);
   return s;

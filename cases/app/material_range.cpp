@@ -87,7 +87,8 @@ void note_stretch(StretchRecord& record, structure::Membrane const& membrane, Sc
 {
   note_stretch(record, membrane, scene.materials.at(scene.membrane->material));
   if (has_bending(*scene.membrane))
-    record.face = std::max(record.face, structure::largest_face_stretch(membrane));
+    record.face =
+        std::max(record.face, structure::largest_face_stretch(membrane, scene.membrane->rim));
 }
 
 std::vector<core::Figure> figures(StretchRecord const& record)

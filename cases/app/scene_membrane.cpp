@@ -62,7 +62,7 @@ Stop read_stop(SceneTable table, MembraneSheet const& membrane)
   Stop const stop{table.quantity("position", Dimension::length),
                   table.quantity("radius", Dimension::length, Sign::positive, membrane.to)};
   if (membrane.shape != MembraneShape::disc)
-    table.fail("radius", "belongs to a disc; a strip has no stop.");
+    table.fail("position", "belongs to a disc; a strip has no stop.");
   if (stop.radius > membrane.to) table.fail("radius", "must not exceed that of the membrane.");
   return stop;
 }

@@ -39,7 +39,7 @@ AnyScene read_swept(Options const& options, std::vector<SweepAxis> const& axes, 
     std::string const rest = sentence.substr(set.size());
     std::string const key = rest.substr(0, rest.find_first_of(": "));
     for (auto const& axis : axes)  // the key itself, a table on the way to it, or what is within
-      if (axis.key.starts_with(key) || key.starts_with(axis.key))
+      if (axis.key == key || axis.key.starts_with(key + '.') || key.starts_with(axis.key + '.'))
         throw core::InputError("--over: " + rest);
     throw;
   }

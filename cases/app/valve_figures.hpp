@@ -44,7 +44,8 @@ struct ValveSheet {
   double leak;            // mean flow over the later half of the time shut before the pilot opens
   double leak_class;      // 1 to 5, see leak_class()
   double pressure_least;  // of the mean pressure within the seat, Pa; a cell may have less
-  double cell_least;      // pressure in any cell of the lattice, Pa; not a number without one
+  double cell_least;      // pressure in any cell of the lattice at the samples, Pa; not a number
+                          // without a lattice
   double cavitation;      // (outlet - vapour) / (inlet - outlet) of the final state, absolute
 };
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cases/app/oscillation.hpp"
 
 namespace velum::cases {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double steady = 1e-9;        // of the difference, from sample to sample
 constexpr double look_around = 0.005;  // of the history, before and after a sample
 constexpr double at_rest = 0.1;        // of a class, over that
@@ -30,7 +28,7 @@ ValveRamp valve_ramp(History const& history, ValveFacts const& facts)
 {
   auto const& time = history.time;
   auto const gap = history.column("gap");
-  ValveRamp ramp{unknown, unknown, unknown};
+  ValveRamp ramp;
   for (std::size_t k = 1; k < time.size(); ++k) {
     double const before = difference(facts, time[k - 1]), now = difference(facts, time[k]);
     double const share = (facts.seals_at - gap[k - 1]) / (gap[k] - gap[k - 1]);

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -7,11 +8,13 @@
 /// What a rise and a fall of the pressure difference tell of a valve whose pilot stays as it is.
 namespace velum::cases {
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 /// Differences of the pressures of inlet and outlet, Pa; not a number where the history has none.
 struct ValveRamp {
-  double cracks;      // at which the gap first exceeds seals_at while the difference rises
-  double reseats;     // at which it last comes back to that while the difference falls
-  double hysteresis;  // cracks - reseats
+  double cracks = unknown;   // at which the gap first exceeds seals_at while the difference rises
+  double reseats = unknown;  // at which it last comes back to that while the difference falls
+  double hysteresis = unknown;  // cracks - reseats
 };
 
 /// Kv over lift, in one class of gaps; not a number where there was none.

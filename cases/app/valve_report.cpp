@@ -42,7 +42,10 @@ ValveReport valve_report(Scene const& scene, History const& history, ValveSeen c
   ChatterRule const rule;
   auto const sheet = valve_sheet(history, facts);
   auto const chatter = find_chatter(signals, rule);
-  auto const ramp = valve_ramp(history, facts);
+  // a pressure that is measured, not imposed, wobbles up and down of itself
+  Boundary const* const inlet = find_boundary(scene, "inlet");
+  bool const imposed = inlet && imposes_pressure(inlet->kind);
+  auto const ramp = imposed ? valve_ramp(history, facts) : ValveRamp{};
   auto const kv = kv_over_lift(history, facts);
   ValveReport report{figures(sheet),
                      {},
@@ -55,8 +58,8 @@ ValveReport valve_report(Scene const& scene, History const& history, ValveSeen c
       "final values are means of the last tenth of the time; Kv and cavitation number by the "
       "pressures of inlet and outlet, vapour at {:.4g} kPa and atmosphere at {:.4g} kPa; leak "
       "class by the limits of FCI 70-2, V only where the seat's diameter is known; the valve "
-      "cracks and reseats where its gap passes the width at which it seals, while the pressure "
-      "difference changes as fast as the scene has it",
+      "cracks and reseats where its gap passes the width at which it seals while the pressure "
+      "difference rises and falls, at the speed at which the scene changes it",
       facts.vapour_pressure / 1e3, facts.atmosphere / 1e3);
   report.rules["chatter"] = fmt::format(
       "an oscillation of the gap about its mean over two periods by more than {:.3g} um, for {:g} "

@@ -19,6 +19,12 @@ def kv_table(run: Path) -> dict[str, np.ndarray]:
     return {name.split(" [")[0]: column for name, column in zip(header, columns)}
 
 
+def pilot_opens(run: Path) -> float:
+    """When the pilot opens, s; the beginning where it does not move."""
+    opens = summary(run).get("valve_pilot_opens")
+    return series(run)["time"][0] if opens is None else opens
+
+
 def draw_kv(axes, run: Path) -> None:
     kv = kv_table(run)
     for name, colour in (("opening", UP), ("closing", DOWN)):
@@ -38,7 +44,7 @@ def draw_loop(axes, run: Path) -> None:
     flow = LITRES_PER_HOUR * data["flow"]
     around = 0.005 * (time[-1] - time[0])
     change = np.interp(time + around, time, pressure) - np.interp(time - around, time, pressure)
-    opened = time > figures.get("valve_pilot_opens", time[0])
+    opened = time > pilot_opens(run)
     least = 1e-3 * np.ptp(pressure)
     for name, colour, way in (("rising", UP, change), ("falling", DOWN, -change)):
         there = opened & (way > least)
@@ -70,7 +76,7 @@ def draw_sheet(run: Path, picture: Path) -> None:
         panels[0, 1].set_xlim(left=0)
         axes.set_xlim(0, 1e-3 * near)
         data = series(run)
-        opened = data["time"] > figures.get("valve_pilot_opens", data["time"][0])
-        there = (data["pressure_outside"] < near) & opened
-        axes.set_ylim(0, 1.1 * LITRES_PER_HOUR * data["flow"][there].max())
+        there = (data["pressure_outside"] < near) & (data["time"] > pilot_opens(run))
+        if there.any():
+            axes.set_ylim(0, 1.1 * LITRES_PER_HOUR * data["flow"][there].max())
     save(figure, picture)

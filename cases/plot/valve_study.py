@@ -70,8 +70,7 @@ def chart(folder: Path, runs: list[Path], finest: Path) -> None:
         axes.annotate(label(run), (summary(run)["wall_time"], 100 * error),
                       textcoords="offset points", xytext=(6, 5), fontsize=7)
     axes.set_xlim(0, 1.25 * max(summary(run)["wall_time"] for run in runs))
-    axes.set_ylim(0, None)
-    axes.margins(y=0.2)
+    axes.set_ylim(0, 1.15 * axes.dataLim.y1)
     axes.set_xlabel(f"wall time (s); {label(finest)}: {summary(finest)['wall_time']:.0f} s")
     axes.set_ylabel(f"flow's mean distance from\n{label(finest)} (% of its largest)")
     axes.grid(True, linewidth=0.3)

@@ -225,5 +225,17 @@ TEST(BadInput, SceneWithoutDriveNeedsATimeStep)
       "pressure or velocity from which it could be derived.");
 }
 
+TEST(BadInput, ALiftStopKnowsWhatItIsFor)
+{
+  auto const with = [](std::string const& stop) {
+    return refused("[membrane]", "[membrane.stop]\n" + stop + "[membrane]");
+  };
+  EXPECT_TRUE(with("radius = \"3 mm\"\n").find("membrane.stop.position is missing") !=
+              std::string::npos);
+  EXPECT_TRUE(with("position = \"2 mm\"\nradius = \"30 mm\"\n")
+                  .ends_with("membrane.stop.radius must not exceed that of the membrane."));
+  EXPECT_EQ(with("position = \"2 mm\"\nradius = \"3 mm\"\n"), "");
+}
+
 }  // namespace
 }  // namespace velum::tests

@@ -3,6 +3,7 @@
 // measure:   the scene as read and as stored; the sentence of a refusal, with file and line
 // tolerance: none
 // why:       a logical statement
+#include "cases/app/body_scene.hpp"
 #include "cases/app/scene.hpp"
 #include "tests/cases/scene_file.hpp"
 
@@ -72,6 +73,14 @@ TEST(Base, keeps_file_and_line_of_what_is_wrong)
   files.write("bad.toml", edited(small_valve, "dx = \"100 um\"", "dx = 100"));
   files.write("own.toml", "base = \"bad.toml\"\nname = \"own\"\n");
   EXPECT_TRUE(files.refused("own.toml").starts_with("bad.toml:4: lattice.dx must be a length"));
+}
+
+TEST(Base, of_a_body_alone_is_one_too)
+{
+  Files const files;
+  files.write("own.toml", "base = \"body.toml\"\nname = \"own\"\n");
+  files.write("body.toml", "fidelity = \"structure\"\n");
+  EXPECT_TRUE(cases::is_body_scene(files.folder.path / "own.toml", {}));
 }
 
 TEST(Base, that_is_none_is_refused)

@@ -26,7 +26,7 @@ TEST(LiftStop, carries_what_pressure_pushes_beyond_the_rim)
   auto m = flat_membrane({core::Symmetry::axisymmetric, 0, a, a / 40, [](double) { return H; },
                           neo_hookean_rubber(mu), 1100});
   auto const bending = line_bending(m, Rim::clamped);
-  LiftStop const stop{H / 2 + 0.2e-3, 0.8 * a, p / (3e-4 * H)};
+  LiftStop const stop{H / 2 + 0.2e-3, 0.8 * a, std::make_shared<double>(p / (3e-4 * H))};
   auto const pressure = uniform_pressure(m, Side::minus, p);
   std::array const loads{pressure_load(m, pressure), bending_load(bending), stop_load(m, stop)};
   static_solve(m, loads);
