@@ -56,24 +56,46 @@ def label(run: Path) -> str:
     return f"{parts[0].removesuffix('um')} um, Mach {parts[1]}" if len(parts) == 2 else parts[0]
 
 
+def is_hydrostatic(run: Path) -> bool:
+    return not (run / "series.csv").exists()
+
+
+def seat_force(run: Path) -> float:
+    """Of the closed valve, before its pilot opens."""
+    return summary(run)["seat_force"] if is_hydrostatic(run) else at(run, "seat_force", 0.9e-3)
+
+
+def flow_error(run: Path, fine: dict[str, np.ndarray]) -> float:
+    """Mean distance of the flow's history from the finest run's, of its largest."""
+    s = series(run)
+    apart = np.abs(np.interp(fine["time"], s["time"], s["flow"]) - fine["flow"])
+    return apart.mean() / fine["flow"].max()
+
+
 def chart(folder: Path, runs: list[Path], finest: Path) -> None:
-    """Error of the flow's history, against the finest run's, over wall time."""
-    fine = series(finest)
-    scale = fine["flow"].max()
-    figure, axes = plt.subplots(figsize=(5, 3.6))
-    for run in runs:
-        s = series(run)
-        error = np.abs(np.interp(fine["time"], s["time"], s["flow"]) - fine["flow"]).mean() / scale
-        lumped = json.loads((run / "summary.json").read_text())["assumptions"]["fidelity"] == "lumped"
-        axes.plot(summary(run)["wall_time"], 100 * error, "s" if lumped else "o",
-                  color="#c8553d" if lumped else "#1b6ca8")
-        axes.annotate(label(run), (summary(run)["wall_time"], 100 * error),
-                      textcoords="offset points", xytext=(6, 5), fontsize=7)
-    axes.set_xlim(0, 1.25 * max(summary(run)["wall_time"] for run in runs))
-    axes.set_ylim(0, 1.15 * axes.dataLim.y1)
-    axes.set_xlabel(f"wall time (s); {label(finest)}: {summary(finest)['wall_time']:.0f} s")
-    axes.set_ylabel(f"flow's mean distance from\n{label(finest)} (% of its largest)")
-    axes.grid(True, linewidth=0.3)
+    """Errors over wall time: of the closed valve's seat force, of the opened one's flow."""
+    fine, force = series(finest), seat_force(finest)
+    figure, panels = plt.subplots(1, 2, figsize=(8.6, 3.6), layout="constrained")
+    marched = [run for run in runs if not is_hydrostatic(run)]
+    for axes, title, those, error in (
+            (panels[0], "closed: force on the seat", runs,
+             lambda run: abs(seat_force(run) / force - 1)),
+            (panels[1], "switched on: flow over time", marched,
+             lambda run: flow_error(run, fine))):
+        for run in those:
+            kind = json.loads((run / "summary.json").read_text())["assumptions"]["fidelity"]
+            x, y = summary(run)["wall_time"], 100 * error(run)
+            axes.plot(x, y, "o" if kind == "axisymmetric" else "s",
+                      color="#1b6ca8" if kind == "axisymmetric" else "#c8553d")
+            axes.annotate(label(run), (x, y), textcoords="offset points", xytext=(6, 5),
+                          fontsize=7)
+        axes.set_xscale("log")
+        axes.margins(x=0.25)
+        axes.set_ylim(0, 1.15 * axes.dataLim.y1)
+        axes.set_title(title, fontsize=9)
+        axes.set_xlabel(f"wall time (s); {label(finest)}: {summary(finest)['wall_time']:.0f} s")
+        axes.grid(True, linewidth=0.3)
+    panels[0].set_ylabel(f"distance from {label(finest)} (%)")
     save(figure, folder / "fidelity.png")
 
 
@@ -91,7 +113,10 @@ def main() -> None:
         print(table([["run", "pilot", "pilot chamber", "flow", "gap", "seat force (N)"]] +
                     [row for run in of("prop_") for row in plateau(run)]))
     if of("fid_"):
-        print(table([head] + [on_off(run) for run in of("fid_")]))
+        print(table([head] + [on_off(run) for run in of("fid_") if not is_hydrostatic(run)]))
+        print(table([["closed", "force on the seat (N)", "wall time (s)"]] +
+                    [[run.name, f"{seat_force(run):.2f}", f"{summary(run)['wall_time']:.2g}"]
+                     for run in of("fid_")]))
         grids = [run for run in of("fid_") if "um" in run.name]
         if grids:
             finest = min(grids, key=lambda run: quantity(run, "lattice.dx"))
