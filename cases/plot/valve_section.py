@@ -91,6 +91,7 @@ def draw_sections(run: Path, picture: Path) -> None:
     figure, panels = plt.subplots(lines, columns,
                                   figsize=(5 * columns + 1.8, (4.4 * slender + 0.35) * lines + 0.5),
                                   squeeze=False, sharex=True, sharey=True, layout="constrained")
+    figure.get_layout_engine().set(h_pad=0.1)  # a title keeps clear of the ticks above it
     for axes in panels.flat[len(states):]:
         axes.axis("off")
     for axes, state in zip(panels.flat, states):
