@@ -20,7 +20,7 @@ std::string fidelity_advice(Scene const& scene)
     return "axisymmetric: without a membrane there is nothing for hydrostatic to solve.";
   if (find_chamber(scene, ChamberSide::above) && scene.contact)
     return "lumped, for pressures, lift and flow of a seat whose gap is left to its closure: no "
-           "lattice, and 5 % from the finest one's flow in a twentieth of its time "
+           "lattice, and 5 % from the finest one's flow in a tenth of its time "
            "(cases/valve_on_off, its chart); axisymmetric for the flow around it; hydrostatic, if "
            "only the closed equilibrium is wanted.";
   bool const steady =
