@@ -9,8 +9,6 @@
 namespace velum::ibm {
 namespace {
 
-constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
-
 double area_of(LatticePort const& p, std::vector<lbm::Opening> const& openings)
 {
   double area = 0;
@@ -67,7 +65,7 @@ void begin_step(Chambers& c, std::vector<lbm::Opening>& openings,
       port.pressure += (now + last) / 2 * o.area / area;
       o.last_traction = now;
     }
-    port.impedance = sound / area;
+    port.impedance = lbm::sound / area;
     port.at_flow = port.flow;
   }
   Eigen::MatrixXd area = Eigen::MatrixXd::Zero(

@@ -4,7 +4,8 @@
 /// How a gap that is left to its law (seat_gap.hpp) meets the lattice and the membrane in a step.
 namespace velum::ibm {
 
-/// The edges of the gap as the lattice has them now become the links of their openings.
+/// The edges of the gap as the lattice has them now become the links of their openings, and what
+/// lies before them is measured: a port that takes the pressure of cells wants it.
 template <class Real>
 void tie_gap(Coupled<Real, Sharp>& s)
 {
@@ -13,6 +14,7 @@ void tie_gap(Coupled<Real, Sharp>& s)
     lbm::Opening& o = s.openings[s.chambers->gap->opening[side]];
     o.links = s.body.gap_edge[side];
     o.area = s.body.gap_area[side];
+    o.before = o.area > 0 ? lbm::pressure_before(s.fluid, o) : 0;
   }
 }
 

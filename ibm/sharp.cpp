@@ -79,7 +79,7 @@ void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const&
       "velum::ibm::feel", body.cut_links.size, KOKKOS_LAMBDA(int k) {
         lbm::Link const l = links(k);
         int const cell = from.cell(l.i, l.j);
-        auto const echo = lbm::echo(from.f, cell, l);
+        auto const echo = lbm::echo(from, cell, l);
         Real rho = 0;
         for (int d = 0; d < 9; ++d) rho += from.f.outgoing(d, cell);
         heard(0, k) = double(echo.out);

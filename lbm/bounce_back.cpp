@@ -15,7 +15,7 @@ double bounce_back(Fluid<Real, L, Stored>& fluid, LinkList const& list, core::Ve
       KOKKOS_LAMBDA(int n, double& sum) {
         Link const l = links(n);
         int const cell = to.cell(l.i, l.j, l.k);
-        auto const heard = echo(to.f, cell, l);
+        auto const heard = echo(to, cell, l);
         double const cu = l.weight * along<L>(l.dir, u_wall);
         Real const back = heard.back - Real(wall_coefficient<L>(l.dir, 1, l.q) * cu);
         to.f.set_arriving(L::opposite(l.dir), cell, back);

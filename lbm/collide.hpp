@@ -22,15 +22,19 @@ struct Surroundings {
 /// mid-point of its link, y + c_y/2, and arrives with that same weight. Mass and axial momentum so
 /// weighted are kept to round-off by
 ///   Q  = -(j_y,in + j_y,out) / 2y,   S_x = F_x - (Pxy_in + Pxy_out) / 2y,
-///   S_y = F_y - ((Pyy_in + Pyy_out)/2 - P_theta) / y,   P_theta = p - 2 mu u_y / y,
+///   S_y = F_y - ((Pyy_in + Pyy_out)/2 - P_theta) / y,
 /// where the mean of the second moments before and after collision is the lattice's own momentum
 /// flux, viscous part included, so no velocity gradient is needed. The trace carries the source
-/// 2/3 (1 + a) Q. With a = 1 the bulk viscosity acts on the divergence in three dimensions, as it
-/// should, but below nu of about 0.005 the row at the axis is then unstable; with a = 0, stable, it
-/// acts on that in the plane, whose error is a pressure rho u_y / 6y. a = y^2 / (y^2 + 4) gives up
-/// the correction within two cells of the axis. The equilibrium of the trace has the viscous part
-/// 2 mu u_y / y. Splitting of geometric sources after Hajabdollahi &
-/// Premnath (arXiv:1806.10241); the link weights, which make it conservative, are velum's own.
+/// 2/3 Q and its equilibrium the viscous part 2 mu u_y / y. The bulk viscosity then acts on the
+/// divergence in the plane, -u_y/y in a flow without one in space: the pressure that moves the
+/// fluid, p = ((Pxx + Pyy)/2 - rho u^2/2 - mu u_y/y), is rho/3 less a part that is not small at low
+/// Mach number (lbm/pressure.hpp). Round the axis it must act as well,
+///   P_theta = p - 2 mu u_y / y,   so   S_y = F_y - ((Pyy - Pxx)/2 + rho u^2/2 + 3 mu u_y/y) / y:
+/// with P_theta = rho/3 - 2 mu u_y/y a force rho c_s dx u_r/r^2 remains, at any viscosity; with a
+/// source of the trace that moves the bulk viscosity to the divergence in space the row at the axis
+/// is unstable. Splitting of geometric sources after Hajabdollahi &
+/// Premnath (arXiv:1806.10241); the link weights, which make it conservative, and the choice of the
+/// pressure are velum's own.
 ///
 /// @tparam Eddy    whether Smagorinsky's model may act; without it the constant is not looked at
 /// @tparam Forced  whether a force may act; without it the force is not looked at
@@ -59,12 +63,10 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
     s.shear = 1 / tau;
   }
   Real const bulk = rule.bulk_rate(s.shear);
-  Real const off_axis = Axisymmetric ? 1 / (1 + 4 * inv_y * inv_y) : Real(1);
 
   Real mean[L::Q] = {};  // second moments, means of the values before and after collision
-  auto const second_moments = [&](Real T_viscous) __attribute__((always_inline))
+  auto const relax = [&]() __attribute__((always_inline))
   {
-    Real in_trace = 0, trace = 0, u2 = 0, uS = 0;
     core::static_for<D>([&](auto a) __attribute__((always_inline)) {
       core::static_for<a + 1>([&](auto b) __attribute__((always_inline)) {
         constexpr int ab = second_moment<L>(a, b);
@@ -72,16 +74,21 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
         Real unrelaxed = in.m[ab];
         if constexpr (sources) unrelaxed += (s.u[a] * s.S[b] + s.u[b] * s.S[a] - uu * s.Q) / 2;
         mean[ab] = s.shear / 2 * n * uu + (1 - s.shear / 2) * unrelaxed;
-        if constexpr (a == b) {
-          in_trace += in.m[ab];
-          trace += mean[ab];
-          u2 += uu;
-          if constexpr (sources) uS += s.u[a] * s.S[a];
-        }
       });
     });
+  };
+  auto const relax_trace = [&](Real T_viscous) __attribute__((always_inline))
+  {
+    Real in_trace = 0, trace = 0, u2 = 0, uS = 0;
+    core::static_for<D>([&](auto a) __attribute__((always_inline)) {
+      constexpr int aa = second_moment<L>(a, a);
+      in_trace += in.m[aa];
+      trace += mean[aa];
+      u2 += s.u[a] * s.u[a];
+      if constexpr (sources) uS += s.u[a] * s.S[a];
+    });
     Real const T_eq = D * third * s.rho + n * u2 + T_viscous;
-    if constexpr (sources) in_trace += (2 * (1 + off_axis) * third * s.Q + 2 * uS - u2 * s.Q) / 2;
+    if constexpr (sources) in_trace += third * s.Q + uS - u2 * s.Q / 2;
     Real const T = bulk / 2 * T_eq + (1 - bulk / 2) * in_trace;
     Real const share = (Real(1) / D) * (T - trace);
     core::static_for<D>([&](auto a) __attribute__((always_inline)) {
@@ -91,30 +98,32 @@ KOKKOS_FORCEINLINE_FUNCTION void collide(Real (&f)[L::Q], Rule const& rule,
   };
 
   if constexpr (Axisymmetric) {
-    // S_y depends on u_y through the terms linear in u_y / y, which are solved for exactly (they
-    // are not small in the row at the axis), and through products of velocities, which are
-    // iterated; so are the reciprocals, by Newton's method, for divisions are slow.
-    constexpr int yy = second_moment<L>(1, 1), xy = second_moment<L>(0, 1);
+    // S_y depends on u_y through the term linear in u_y / y, which is solved for exactly (it is not
+    // small in the row at the axis), and through products of velocities, which are iterated; so are
+    // the reciprocals, by Newton's method, for divisions are slow.
+    constexpr int xx = second_moment<L>(0, 0), yy = second_moment<L>(1, 1),
+                  xy = second_moment<L>(0, 1);
     Real const mu = third * (tau - Real(0.5)) * n;
-    Real const linear = inv_y * inv_y * ((1 - bulk / 2) * off_axis / 6 * n - (2 + bulk / 2) * mu);
+    Real const linear = -3 * mu * inv_y * inv_y;
     Real per_n = volume, per_y = 1 / (n - linear / 2);
     core::static_for<2>([&](auto) __attribute__((always_inline)) {
-      Real const u_theta = s.u[1] * inv_y;
+      Real const u_theta = s.u[1] * inv_y, u2 = s.u[0] * s.u[0] + s.u[1] * s.u[1];
       s.Q = -n * u_theta;
       s.rho = in.rho() + s.Q / 2;
       n = 1 + s.rho;
-      second_moments(2 * mu * u_theta);
-      Real const p_theta = third * s.rho - 2 * mu * u_theta;
+      relax();
       s.S[0] = F[0] - mean[xy] * inv_y;
-      s.S[1] = F[1] - (mean[yy] - p_theta) * inv_y;
+      s.S[1] = F[1] - ((mean[yy] - mean[xx] + n * u2) / 2 + 3 * mu * u_theta) * inv_y;
       per_n *= 2 - n * per_n;
       per_y *= 2 - (n - linear / 2) * per_y;
       s.u[0] = per_n * (in.j(0) + s.S[0] / 2);
       s.u[1] = per_y * (in.j(1) + s.S[1] / 2 - linear * s.u[1] / 2);
     });
     s.Q = -(in.j(1) + s.S[1] / 2) * inv_y;
+    relax_trace(2 * mu * s.u[1] * inv_y);
   } else {
-    second_moments(0);
+    relax();
+    relax_trace(0);
   }
 
   out.rho() = in.rho() + s.Q;

@@ -4,6 +4,7 @@
 #include "core/huge_pages.hpp"
 #include "lbm/formats.hpp"
 #include "lbm/moments.hpp"
+#include "lbm/pressure.hpp"
 
 namespace velum::lbm {
 
@@ -100,8 +101,8 @@ void set_equilibrium(Fluid<Real, L, Stored>& fluid, CellStates const& state)
         u[1] = Real(s.uy);
         if constexpr (L::D == 3) u[2] = Real(s.uz);
         int const cell = to.cell(i, row % ny, row / ny);
-        for (int d = 0; d < L::Q; ++d)
-          to.f.set_outgoing(d, cell, equilibrium<L>(d, Real(s.rho), u));
+        Real const rho = Real(density_of(to, s.rho, to.origin[1] + row % ny + 0.5, s.uy));
+        for (int d = 0; d < L::Q; ++d) to.f.set_outgoing(d, cell, equilibrium<L>(d, rho, u));
       });
 }
 
@@ -122,8 +123,9 @@ CellStates cell_states(Fluid<Real, L, Stored> const& fluid)
         for (int d = 0; d < L::Q; ++d) site[d] = double(from.f.outgoing(d, cell));
         density_and_momentum<L>(site, rho, j);
         double const v = 1 / (1 + rho);
-        state(row, i) = {rho, v * (j[0] - half[0]), v * (j[1] - half[1]),
-                         L::D == 3 ? v * (j[L::D - 1] - half[2]) : 0.0};
+        double const uy = v * (j[1] - half[1]);
+        state(row, i) = {pressure_of(from, rho, from.origin[1] + row % ny + 0.5, uy),
+                         v * (j[0] - half[0]), uy, L::D == 3 ? v * (j[L::D - 1] - half[2]) : 0.0};
       });
   CellStates host("cell_states", ny * fluid.nz, nx);
   Kokkos::deep_copy(host, Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), state));

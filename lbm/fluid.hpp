@@ -19,6 +19,11 @@ constexpr bool is_defined(Collision collision, int directions)
   return collision != Collision::cumulant || directions == 27;
 }
 
+/// Speed, as a cell Reynolds number |u| dx / nu, at which the odd moments of central moments go over
+/// from the rate that is right at walls to the rate 1 that is robust in the stream
+/// (lbm/odd_moments.hpp).
+inline constexpr double robust_from = 2;
+
 /// What the fluid is and how it relaxes, lattice units.
 struct Model {
   Collision collision = Collision::central_moments;
@@ -31,7 +36,13 @@ struct Model {
   double storage_range = 4;  // of 16-bit storage: largest |f_i - w_i| / w_i
 
   /// Relaxation rate of the shear moments, 1 / (3 nu + 1/2).
-  double omega() const { return 1 / (3 * viscosity + 0.5); }
+  KOKKOS_FUNCTION double omega() const { return 1 / (3 * viscosity + 0.5); }
+  /// That of the trace of the second moments.
+  KOKKOS_FUNCTION double bulk_rate() const
+  {
+    return collision == Collision::central_moments || collision == Collision::cumulant ? 1
+                                                                                       : omega();
+  }
   bool periodic(int axis) const
   {
     return axis == 0 ? periodic_x : axis == 1 ? periodic_y : periodic_z;
@@ -107,7 +118,8 @@ void use_eddy_share(Fluid<Real, L, Stored>& fluid);
 template <class Real, class L, class Stored>
 void use_force_field(Fluid<Real, L, Stored>& fluid);
 
-/// Density (less 1) and velocity of one cell.
+/// Density (less 1) and velocity of one cell. The density is that of fluid at rest under the cell's
+/// pressure, 1 + 3 p: about an axis it is not the sum of the populations (lbm/pressure.hpp).
 struct CellState {
   double rho, ux, uy, uz = 0;
 };
@@ -117,8 +129,8 @@ using CellStates = Kokkos::View<CellState**, Kokkos::HostSpace>;  // [nz ny][nx]
 template <class Real, class L, class Stored>
 void set_equilibrium(Fluid<Real, L, Stored>& fluid, CellStates const& state);
 
-/// Density less 1 and velocity of every cell; zero in walls and bodies. Velocities are those of the
-/// populations after collision less half the sources, that is of the mid-step.
+/// State of every cell; zero in walls and bodies. Velocities are those of the populations after
+/// collision less half the force, that is of the mid-step.
 template <class Real, class L, class Stored>
 CellStates cell_states(Fluid<Real, L, Stored> const& fluid);
 

@@ -4,13 +4,13 @@
 
 #include "lbm/formats.hpp"
 #include "lbm/moments.hpp"
+#include "lbm/pressure.hpp"
 
 namespace velum::lbm {
 
 namespace {
 
-constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
-constexpr double relaxation = 0.2;             // of the velocity per step, damps the feedback loop
+constexpr double relaxation = 0.2;  // of the velocity per step, damps the feedback loop
 
 /// Density less 1 and velocity of a cell, and the part of the velocity into the fluid.
 template <int D>
@@ -88,10 +88,10 @@ struct AtPressure {
   }
 };
 
-/// What comes in through an opening in a step, its area as the profile weighs it, and the force of
-/// the pressure before it on that.
+/// What comes in through an opening in a step, and its area as the profile weighs it.
 struct Passage {
-  double mass = 0, momentum = 0, area = 0, force = 0;
+  double mass = 0, momentum = 0, area = 0;
+  double convected = 0;  // momentum that the fluid's own velocity carries through
 };
 
 /// Sends back along every link what the rule says.
@@ -105,21 +105,20 @@ Passage send_back(Fluid<Real, L, Stored>& fluid, Opening const& opening, Rule co
   Passage sum;
   Kokkos::parallel_reduce(
       "velum::lbm::opening", opening.links.size,
-      KOKKOS_LAMBDA(int k, double& mass, double& momentum, double& area, double& force) {
+      KOKKOS_LAMBDA(int k, double& mass, double& momentum, double& area, double& convected) {
         Link const l = links(k);
         int const cell = to.cell(l.i, l.j, l.k);
-        double const cn = along<L>(l.dir, rule.n);
+        double const cn = along<L>(l.dir, rule.n), inflow = near(to, cell, rule.n).inflow;
         Real const out = to.f.outgoing(l.dir, cell);
         Real const back = rule.back(to, cell, l);
         if (write) to.f.set_arriving(L::opposite(l.dir), cell, back);
         double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
         mass += ring * double(back - out);
         momentum -= ring * cn * double(back + out);
-        double const part = -ring * 6 * L::w(l.dir) * l.weight * cn;
-        area += part;
-        force += part * near(to, cell, rule.n).rho / 3;
+        area -= ring * 6 * L::w(l.dir) * l.weight * cn;
+        convected -= ring * 6 * L::w(l.dir) * l.weight * cn * inflow * inflow;
       },
-      sum.mass, sum.momentum, sum.area, sum.force);
+      sum.mass, sum.momentum, sum.area, sum.convected);
   return sum;
 }
 
@@ -137,19 +136,21 @@ void impose_velocity(Fluid<Real, L, Stored>& fluid, Opening& opening, double U)
   }
   opening.velocity = U;
   opening.mass_flow = sum.mass;
-  opening.before = sum.area > 0 ? sum.force / sum.area : 0;
   opening.traction = sum.momentum / opening.area - U * U;
 }
 
 template <class Real, class L, class Stored>
 void impose_pressure(Fluid<Real, L, Stored>& fluid, Opening& opening, bool outflow)
 {
-  auto const sum =
-      send_back(fluid, opening, AtPressure{opening.normal, 3 * opening.pressure, outflow});
+  AtPressure rule{opening.normal, 3 * opening.pressure, outflow};
+  if (!outflow) {
+    auto const first = send_back(fluid, opening, rule, false);
+    rule.rho_b += 3 * (opening.pressure - (first.momentum - first.convected) / first.area);
+  }
+  auto const sum = send_back(fluid, opening, rule);
   opening.mass_flow = sum.mass;
-  opening.before = sum.area > 0 ? sum.force / sum.area : 0;
   opening.velocity = sum.mass / opening.area;
-  opening.traction = sum.momentum / opening.area - opening.velocity * opening.velocity;
+  opening.traction = (sum.momentum - sum.convected) / opening.area;
 }
 
 }  // namespace
@@ -163,6 +164,27 @@ double opening_area(Fluid<Real, L, Stored> const& fluid, std::vector<Link> const
     area += 6 * L::w(l.dir) * std::abs(along<L>(l.dir, normal)) *
             link_ring<L>(fluid.symmetry, fluid.origin[1] + l.j + 0.5, l.dir);
   return area;
+}
+
+template <class Real, class L, class Stored>
+double pressure_before(Fluid<Real, L, Stored> const& fluid, Opening const& opening)
+{
+  auto const from = fluid;
+  auto const links = opening.links.links;
+  core::Vec3 const n = opening.normal;
+  double area = 0, force = 0;
+  Kokkos::parallel_reduce(
+      "velum::lbm::pressure_before", opening.links.size,
+      KOKKOS_LAMBDA(int k, double& area, double& force) {
+        Link const l = links(k);
+        double const ring = link_ring<L>(from.symmetry, from.origin[1] + l.j + 0.5, l.dir);
+        double const part = -ring * 6 * L::w(l.dir) * l.weight * along<L>(l.dir, n);
+        auto const at = near(from, from.cell(l.i, l.j, l.k), n);
+        area += part;
+        force += part * pressure_of(from, at.rho, from.origin[1] + l.j + 0.5, at.u[1]) / 3;
+      },
+      area, force);
+  return area > 0 ? force / area : 0;
 }
 
 template <class Real, class L, class Stored>
@@ -199,6 +221,7 @@ void apply(Fluid<Real, L, Stored>& fluid, Opening& opening, double target)
 #define VELUM_INSTANTIATE(Real, L, Stored)                                              \
   template double opening_area(Fluid<Real, L, Stored> const&, std::vector<Link> const&, \
                                core::Vec3);                                             \
+  template double pressure_before(Fluid<Real, L, Stored> const&, Opening const&);       \
   template void apply(Fluid<Real, L, Stored>&, Opening&, double);
 VELUM_EACH_FLUID(VELUM_INSTANTIATE)
 #undef VELUM_INSTANTIATE

@@ -3,6 +3,9 @@
 
 namespace velum::lbm {
 
+/// Speed of sound of every lattice, cells per step.
+inline constexpr double sound = 0.57735026918962576;  // 1/sqrt(3)
+
 /// What an opening imposes.
 ///   velocity   normal velocity, times the profile
 ///   flow_rate  volume per step
@@ -28,7 +31,7 @@ struct Opening {
 
   double mass_flow = 0;  // into the fluid in the last step, mass per step
   double traction = 0;   // mean normal traction over the opening in the last step
-  double before = 0;     // mean pressure of the cells before it, less that of the rest state
+  double before = 0;     // pressure_before() the last step, of the edge of a gap
 };
 
 /// Finds the area of an opening whose links and normal are set.
@@ -36,9 +39,15 @@ template <class Real, class L, class Stored>
 double opening_area(Fluid<Real, L, Stored> const& fluid, std::vector<Link> const& links,
                     core::Vec3 normal);
 
+/// Mean pressure of the cells before an opening, less that of the rest state; weighed as its area
+/// is. Before apply().
+template <class Real, class L, class Stored>
+double pressure_before(Fluid<Real, L, Stored> const& fluid, Opening const& opening);
+
 /// Imposes the target (velocity, volume per step, traction or pressure less that of the rest state;
 /// lattice units) and measures mass flow and traction. The traction is the momentum that crosses
-/// the opening per area less rho U^2: p - n.tau.n.
+/// the opening per area less what is convected (rho U^2; of pressure and outflow the mean of
+/// rho u_n^2): p - n.tau.n.
 ///
 /// velocity, flow_rate: where fluid comes in the half-way rule, f_o = f_i - 6 w c.n U; where it
 /// leaves, which the full population and a velocity along the opening held at zero make unstable
@@ -55,7 +64,11 @@ double opening_area(Fluid<Real, L, Stored> const& fluid, std::vector<Link> const
 /// et al. 2008, with the cell's own velocity. outflow: adds rho c_s (U - slow U) to the pressure,
 /// so that a plane wave leaves, and where fluid comes back sends feq_o(rho_b, 0): what enters
 /// brings no momentum, or eddies would draw on the reservoir outside without end (the energy
-/// condition u.n >= 0 of a traction-free boundary).
+/// condition u.n >= 0 of a traction-free boundary). pressure: rho_b is 3 p and what brings the
+/// traction, the mean normal momentum that crosses the opening less what the velocity of the cells
+/// convects, to p: an equilibrium lacks the odd moments of a stream beside a wall, whose pressure
+/// is some hundredths of rho c_s u and at low Mach number not small against that of the flow.
+/// outflow is off by that much.
 ///
 /// Of a plane pulse, Gaussian of standard deviation 5, 10, 20 and 40 cells, outflow sends back at
 /// most 10, 8, 5 and 3 %, traction 10, 8, 6 and 4 % (nu = 0.001; less at 0.1), pressure all of it

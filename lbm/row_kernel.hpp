@@ -239,7 +239,7 @@ void stream_and_collide(Fluid<Real, L, Stored>& fluid)
         throw core::InputError("The cumulant collision needs the lattice d3q27.");
       break;
     case Collision::central_moments:
-      detail::update_rule(fluid, CentralMoment<Real>{omega});
+      detail::update_rule(fluid, CentralMoment<Real>{omega, Real(fluid.model.magic)});
       break;
   }
   ++fluid.f.step;

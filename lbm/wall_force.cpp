@@ -14,7 +14,7 @@ core::Vec3 wall_force(Fluid<Real, L, Stored> const& fluid, LinkList const& list)
       "velum::lbm::wall_force", list.size,
       KOKKOS_LAMBDA(int n, double& fx, double& fy, double& fz) {
         Link const l = links(n);
-        auto const heard = echo(from.f, from.cell(l.i, l.j, l.k), l);
+        auto const heard = echo(from, from.cell(l.i, l.j, l.k), l);
         double const exchanged = link_ring<L>(from.symmetry, from.origin[1] + l.j + 0.5, l.dir) *
                                  (double(heard.out) + double(heard.back));
         fx += L::c(l.dir, 0) * exchanged;

@@ -37,7 +37,6 @@ constexpr double transits_remembered = 7;
 /// Gain of a traction inlet's integral, of what a chamber as long as the box still damps. A smaller
 /// one lets the pressure fall behind while a valve opens.
 constexpr double gain_of_limit = 0.5;
-constexpr double sound = 0.57735026918962576;  // 1/sqrt(3), cells per step
 
 /// A patch as the lattice sees it: its range, and the side of the box or the solid it lies on.
 /// Lattice units.
@@ -142,7 +141,7 @@ bool place(Scene const& scene, Boundary const& boundary, Patch const& patch,
   lbm::upload(opening.opening.links, opening.links);
   int const longest = std::max({s.fluid.nx, s.fluid.ny, s.fluid.nz});
   opening.opening.memory = transits_remembered * longest;
-  opening.opening.gain = gain_of_limit * sound / (4 * longest);
+  opening.opening.gain = gain_of_limit * lbm::sound / (4 * longest);
   opening.opening.area = lbm::opening_area(s.fluid, opening.links, opening.opening.normal);
   s.openings.push_back(opening);
   return true;

@@ -57,7 +57,7 @@ struct Lattice {
   double mach = 0.1;                  // of the reference velocity; sets the time step
   std::optional<double> time_step{};  // replaces mach
   Collision collision = Collision::central_moments;
-  double magic = 0.125;  // of TRT
+  double magic = 0.125;  // of TRT, and of central moments where the fluid is slow
   Precision precision = Precision::double_;
   Vec3 shift{};  // of the grid against the geometry
   std::array<bool, 3> periodic{};

@@ -10,7 +10,6 @@
 namespace velum::cases {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double final_share = 0.1;    // of the time, at its end
 constexpr double chamber_band = 0.05;  // of the final pressure
 constexpr double least_rise = 0.05;    // of the largest flow, for a flow to rise at all

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 
 /// What a valve designer reads off a run.
 namespace velum::cases {
+
+/// A figure that a history does not have.
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// What the history of a valve does not tell. SI units.
 struct ValveFacts {

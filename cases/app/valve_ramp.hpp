@@ -1,5 +1,4 @@
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -7,8 +6,6 @@
 
 /// What a rise and a fall of the pressure difference tell of a valve whose pilot stays as it is.
 namespace velum::cases {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Differences of the pressures of inlet and outlet, Pa; not a number where the history has none.
 struct ValveRamp {

@@ -55,29 +55,34 @@ TEST(ShippedFlow, CylinderAtReynolds20HasThePublishedDrag)
 TEST(ShippedFlow, CylinderAtReynolds100ShedsAtThePublishedFrequency)
 {
   auto const run =
-      run_shipped("cylinder_channel", {"lattice.dx=10 mm", "inlet.velocity=1 m/s", "run.end=6 s"});
-  EXPECT_LT(figure(run, "strouhal_error"), 0.05);
-  EXPECT_LT(figure(run, "drag_coefficient_max_error"), 0.05);
+      run_shipped("cylinder_channel", {"lattice.dx=5 mm", "inlet.velocity=1 m/s", "run.end=6 s"});
+  EXPECT_LT(figure(run, "strouhal_error"), 0.01);
+  EXPECT_LT(figure(run, "drag_coefficient_max_error"), 0.03);
+  EXPECT_LT(figure(run, "lift_coefficient_max_error"), 0.05);
 }
 
+// The eddies are shear waves at 45 degrees. Where odd moments relax by magic = 1/8 the lattice's
+// viscosity for these is 1.6/n^2 too small at n cells (the dispersion relation of the linear
+// scheme; for waves along its axes it is exact), and the eddies die by 1/e: 2/n^2 leaves room for
+// compressibility, as the Mach number falls with n. At rate 1 it is the other way round, 3.1/n^2
+// along the axes and nothing at 45 degrees, which one orientation alone does not show.
 TEST(ShippedFlow, TaylorGreenIsSecondOrder)
 {
-  std::vector<double> h, e;
-  for (int n : {8, 16, 32}) {
+  for (int n : {8, 16, 32, 64}) {
     auto const run = run_shipped("taylor_green", {fmt::format("lattice.dx={} mm", 1e3 / n),
                                                   fmt::format("lattice.mach={}", 0.4 / n)});
-    h.push_back(1.0 / n);
-    e.push_back(figure(run, "error_l2"));
+    EXPECT_LT(figure(run, "error_l2"), 2.0 / (n * n)) << n;
   }
-  EXPECT_GT(order(h, e), 1.8) << e[0] << " " << e[1] << " " << e[2];
-  EXPECT_LT(e.back(), 1e-4);
 }
 
-TEST(ShippedFlow, PipeIsSecondOrderWithItsWallHalfWayOrNot)
+// The wall stands at the same share of a cell at each resolution: where it moves from one to the
+// next the error's constant does too, and there is no order to see.
+TEST(ShippedFlow, PipeIsSecondOrderWhereverItsWallStands)
 {
-  for (double radius : {10.0, 9.8}) {
+  for (double share : {0.0, 0.3, 0.5, 0.8}) {
     std::vector<double> h, e;
     for (double dx : {2.0, 1.0, 0.5}) {
+      double const radius = 10 - share * dx;
       auto const run = run_shipped(
           "pipe", {fmt::format("lattice.dx={} mm", dx), fmt::format("lattice.mach={}", 0.1 * dx),
                    fmt::format("solid.wall.from=[-10 mm, {} mm]", radius),
@@ -85,8 +90,9 @@ TEST(ShippedFlow, PipeIsSecondOrderWithItsWallHalfWayOrNot)
       h.push_back(dx);
       e.push_back(figure(run, "error_l2"));
     }
-    EXPECT_GT(order(h, e), 1.8) << radius << ": " << e[0] << " " << e[1] << " " << e[2];
-    EXPECT_LT(e.back(), 2e-3);
+    EXPECT_GT(order(h, e), 1.8) << share << ": " << e[0] << " " << e[1] << " " << e[2];
+    // a wall on the centres of its last cells has no link of their own to hold it
+    EXPECT_LT(e.back(), share == 0.5 ? 4e-3 : 2e-3) << share;
   }
 }
 

@@ -9,9 +9,11 @@
 //            sudden enlargement of Borda and Carnot), so that its speed is c/(c - 1) sqrt(2 p)
 // measure:   largest speed; mean of what comes in and goes out in the second half of the run; mass
 //            of the box against all that openings and walls say has passed
-// tolerance: these speeds (0.30 and 0.24 in the plane); 2 %; 1e-6 of what has passed
+// tolerance: these speeds (0.30 and 0.24 in the plane); 1 % beside what the curved wall takes, and
+//            3 % for that; 1e-6 of what has passed
 // why:       an opening that blows up passes any bound within some hundred steps. What passes
-//            differs by what is still stored, 1 %, and by the curved wall's own mass, 1 %
+//            differs by what is still stored, 1 %, and by the mass of an interpolated wall of 4
+//            cells' radius, 2.3 %, which is of second order
 //
 // Left out: a fixed pressure at the inlet against a rate held at the outlet. With inflow at Mach
 // number M a fixed pressure sends back sound (1 + M)/(1 - M) times as strong, a fixed rate lets
@@ -135,12 +137,13 @@ void expect_stable(Channel const& channel, Pair const& pair)
 {
   auto flow = make_channel<L>(channel, pair);
   double const start = lbm::observe(flow.fluid).mass, bound = fastest<L>(channel, pair);
-  double in = 0, out = 0, passed = 0, speed = 0;
+  double in = 0, out = 0, wall = 0, passed = 0, speed = 0;
   for (int t = 0; t < channel.steps; ++t) {
+    double const wall_before = flow.wall_mass;
     tests::step(flow);
     double const now[2] = {flow.openings[0].mass_flow, flow.openings[1].mass_flow};
     passed += now[0] + now[1];
-    if (2 * t >= channel.steps) in += now[0], out -= now[1];
+    if (2 * t >= channel.steps) in += now[0], out -= now[1], wall += flow.wall_mass - wall_before;
     if (t % 20 != 0) continue;
     auto const seen = lbm::observe(flow.fluid);
     speed = std::max(speed, seen.speed_max);
@@ -150,7 +153,8 @@ void expect_stable(Channel const& channel, Pair const& pair)
                             << worst.k;
   }
   EXPECT_GT(in, 0);
-  EXPECT_NEAR(out / in, 1, 0.02);
+  EXPECT_NEAR(out / (in + wall), 1, 0.01);
+  EXPECT_LT(std::abs(wall), 0.03 * in);
   EXPECT_NEAR(lbm::observe(flow.fluid).mass - start, passed + flow.wall_mass, 1e-6 * 2 * in);
 }
 

@@ -64,7 +64,7 @@ TEST(LowViscosity, IsBoundedWithCentralMoments)
 {
   for (int N : {2, 4}) {
     int const steps = 6000;
-    Outcome const o = slit(lbm::Collision::central_moments, 0, N, steps);
+    Outcome const o = slit(lbm::Collision::central_moments, 1.0 / 8, N, steps);
     EXPECT_EQ(o.survived, steps) << N;
     EXPECT_GT(o.discharge, 0.4) << N;
     EXPECT_LT(o.discharge, 0.9) << N;
