@@ -38,11 +38,13 @@ KOKKOS_FORCEINLINE_FUNCTION Near<L::D> near(Fluid<Real, L, Stored> const& fluid,
 /// Fluid comes in at velocity U: the half-way rule, whatever the distance q. An opening is where
 /// the scene puts it, and mass stays exact.
 struct Enters {
+  static constexpr bool looks_at_cell = false;
   core::Vec3 n;
   double U;
 
   template <class Real, class L, class Stored>
-  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l) const
+  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l,
+                            Near<L::D> const&) const
   {
     Real const out = fluid.f.outgoing(l.dir, cell);
     return out - Real(6 * L::w(l.dir) * l.weight * U * along<L>(l.dir, n));
@@ -55,13 +57,14 @@ struct Enters {
 /// cells before it; so do, in space, differences of the part through it when the half-way rule
 /// mirrors them about U.
 struct Leaves {
+  static constexpr bool looks_at_cell = true;
   core::Vec3 n;
   double U;
 
   template <class Real, class L, class Stored>
-  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l) const
+  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const&, int, Link const& l,
+                            Near<L::D> const& at) const
   {
-    auto const at = near(fluid, cell, n);
     auto u = at.u;
     for (int a = 0; a < L::D; ++a) u[a] += (l.weight * U - at.inflow) * n[a];
     return Real(equilibrium<L>(L::opposite(l.dir), at.rho, u));
@@ -72,14 +75,15 @@ struct Leaves {
 /// back: the full population would come back undamped, and at low viscosity a vortex that passes,
 /// or mere noise, would grow between the opening and the cells before it.
 struct AtPressure {
+  static constexpr bool looks_at_cell = true;
   core::Vec3 n;
   double rho_b;
   bool still;  // whether what comes in brings no momentum
 
   template <class Real, class L, class Stored>
-  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l) const
+  KOKKOS_FUNCTION Real back(Fluid<Real, L, Stored> const& fluid, int cell, Link const& l,
+                            Near<L::D> const& at) const
   {
-    auto const at = near(fluid, cell, n);
     int const o = L::opposite(l.dir);
     if (at.inflow <= 0) return Real(equilibrium<L>(o, 2 * rho_b - at.rho, at.u));
     if (still) return Real(equilibrium<L>(o, rho_b, core::Vec<double, L::D>{}));
@@ -91,7 +95,8 @@ struct AtPressure {
 /// What comes in through an opening in a step, and its area as the profile weighs it.
 struct Passage {
   double mass = 0, momentum = 0, area = 0;
-  double convected = 0;  // momentum that the fluid's own velocity carries through
+  double convected = 0;  // momentum that the velocity of the cells carries through, where the
+                         // rule looks at them
 };
 
 /// Sends back along every link what the rule says.
@@ -108,15 +113,18 @@ Passage send_back(Fluid<Real, L, Stored>& fluid, Opening const& opening, Rule co
       KOKKOS_LAMBDA(int k, double& mass, double& momentum, double& area, double& convected) {
         Link const l = links(k);
         int const cell = to.cell(l.i, l.j, l.k);
-        double const cn = along<L>(l.dir, rule.n), inflow = near(to, cell, rule.n).inflow;
+        double const cn = along<L>(l.dir, rule.n);
+        Near<L::D> at{};
+        if constexpr (Rule::looks_at_cell) at = near(to, cell, rule.n);
         Real const out = to.f.outgoing(l.dir, cell);
-        Real const back = rule.back(to, cell, l);
+        Real const back = rule.back(to, cell, l, at);
         if (write) to.f.set_arriving(L::opposite(l.dir), cell, back);
         double const ring = link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir);
         mass += ring * double(back - out);
         momentum -= ring * cn * double(back + out);
-        area -= ring * 6 * L::w(l.dir) * l.weight * cn;
-        convected -= ring * 6 * L::w(l.dir) * l.weight * cn * inflow * inflow;
+        double const part = -ring * 6 * L::w(l.dir) * l.weight * cn;
+        area += part;
+        convected += part * at.inflow * at.inflow;
       },
       sum.mass, sum.momentum, sum.area, sum.convected);
   return sum;

@@ -13,9 +13,7 @@ std::vector<double> times(std::vector<double> values, double factor)
   return values;
 }
 
-/// What the even moments are beside their equilibrium, on the time scale of another fluid: strain.
-/// The odd ones are carried as velocities are: where they outlast a collision they hardly relax
-/// (lbm/odd_moments.hpp).
+/// What a fluid's populations are beside their equilibrium, on the time scale of another one.
 double strain_factor(lbm::Model const& from, lbm::Model const& to, double r)
 {
   double const tau = 1 / from.omega(), other = 1 / to.omega();
@@ -38,21 +36,16 @@ void carry_fluid(lbm::Fluid<Real> const& from, lbm::Fluid<Real>& to, double r)
       decltype(rest.f.slots)("equilibrium", from.f.slots.extent(0), from.f.slots.extent(1));
   lbm::set_equilibrium(rest, states);
   lbm::set_equilibrium(to, scaled);
-  auto const factor = Real(strain_factor(from.model, to.model, r)), velocity_factor = Real(r);
+  auto const factor = Real(strain_factor(from.model, to.model, r));
   lbm::Fluid<Real> const old = from, equal = rest, now = to;
   Kokkos::parallel_for(
       "velum::cases::carry_fluid", Kokkos::RangePolicy<>(0, from.cells()), KOKKOS_LAMBDA(long c) {
         int const cell = old.cell_of(c);
         if (!old.active(cell)) return;
-        Real beside[lbm::D2Q9::Q];
         for (int d = 0; d < lbm::D2Q9::Q; ++d)
-          beside[d] = old.f.outgoing(d, cell) - equal.f.outgoing(d, cell);
-        for (int d = 0; d < lbm::D2Q9::Q; ++d) {
-          int const o = lbm::D2Q9::opposite(d);
-          Real const even = (beside[d] + beside[o]) / 2, odd = (beside[d] - beside[o]) / 2;
           now.f.set_outgoing(d, cell,
-                             now.f.outgoing(d, cell) + factor * even + velocity_factor * odd);
-        }
+                             now.f.outgoing(d, cell) +
+                                 factor * (old.f.outgoing(d, cell) - equal.f.outgoing(d, cell)));
       });
 }
 

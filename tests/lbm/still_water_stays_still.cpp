@@ -3,9 +3,8 @@
 //            space a box around a sphere off the lattice; tau - 1/2 of 1e-5 and 1e-2
 // reference: a closed box feeds no motion: no eigenvalue of a step is larger than 1, that of the
 //            mass
-// measure:   the largest modulus of an eigenvalue of the program's own step about rest, by
-// Arnoldi's
-//            method on 200 steps at once (tests/support/growth.hpp)
+// measure:   the largest modulus of an eigenvalue of the program's own step about rest, by the
+//            method of Arnoldi on 200 steps at once (tests/support/growth.hpp)
 // tolerance: 1e-9 a step in the plane and about the axis, 1e-7 in space, where a sphere's many
 //            slow modes lie closer together than the iteration tells apart (residual 1e-5 over 200
 //            steps); collisions that are not offered as stable grow by more than 1e-4
@@ -15,7 +14,6 @@
 //            them, short ones do not
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
