@@ -51,12 +51,23 @@ bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls)
     cells.changes.push_back({i, j, cells.state[k], to});
     cells.state[k] = to;
   };
+  // what the rules of film and gap change after the labels is one change, not two
+  auto const change_again = [&](std::size_t k, std::uint8_t to, std::size_t by_labels) {
+    int const nx = labels.nx, i = static_cast<int>(k) % nx, j = static_cast<int>(k) / nx;
+    for (std::size_t c = 0; c < by_labels && cells.state[k] != to; ++c) {
+      if (cells.changes[c].i != i || cells.changes[c].j != j) continue;
+      cells.state[k] = cells.changes[c].after = to;
+      return;
+    }
+    change(k, to);
+  };
   auto const held = [&](std::size_t k) {  // film and gap end by their own rule below
     return (cells.state[k] == film || cells.state[k] == gap) && side(k) != inside;
   };
   if (classify(labels, surface))
     for (std::size_t k = 0; k < cells.state.size(); ++k)
       if (!walls.solid[k] && !held(k)) change(k, side(k));
+  std::size_t const by_labels = cells.changes.size();
   // a site lower than this is farther from the face than any gap is wide
   double const far_below = lowest(surface.minus) - cells.gap_width - 1;
   for (auto const& [site, by_wall, seat] : cells.near) {
@@ -65,7 +76,7 @@ bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls)
     core::Vec2 const p = labels.origin + core::Vec2{site % labels.nx + 0.5, site / labels.nx + 0.5};
     bool const plus = labels.side[k] == plus_side;
     if (!plus && p[0] < far_below) {
-      change(k, side(k));
+      change_again(k, side(k), by_labels);
       continue;
     }
     double const to_face = plus ? distance(surface.plus, cells.plus_index, p)
@@ -75,7 +86,7 @@ bool update(Cells& cells, Surface const& surface, lbm::Walls const& walls)
     if (by_wall && walls.distance[k] + to_face < (now == film ? film_opens : film_closes))
       to = film;
     if (!plus && seat + to_face < cells.gap_width + (now == gap ? gap_hysteresis : 0.0)) to = gap;
-    change(k, to);
+    change_again(k, to, by_labels);
   }
   return !cells.changes.empty();
 }

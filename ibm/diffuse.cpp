@@ -1,6 +1,7 @@
 #include "ibm/diffuse.hpp"
 
 #include "ibm/crossing.hpp"
+#include "lbm/bounce_back.hpp"
 #include "lbm/stream_and_collide.hpp"
 
 namespace velum::ibm {
@@ -83,6 +84,12 @@ Diffuse<Real> make_diffuse(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
 }
 
 template <class Real>
+void reflect_at_walls(Diffuse<Real>& body, lbm::Fluid<Real>& fluid)
+{
+  lbm::bounce_back(fluid, body.resting, {});
+}
+
+template <class Real>
 void feel(Diffuse<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane)
 {
   auto const& list = body.markers.list;
@@ -139,6 +146,8 @@ template Diffuse<float> make_diffuse(lbm::Fluid<float>&, lbm::Walls const&,
 template Diffuse<double> make_diffuse(lbm::Fluid<double>&, lbm::Walls const&,
                                       std::vector<lbm::WallHit> const&, structure::Membrane const&,
                                       double);
+template void reflect_at_walls(Diffuse<float>&, lbm::Fluid<float>&);
+template void reflect_at_walls(Diffuse<double>&, lbm::Fluid<double>&);
 template void feel(Diffuse<float>&, lbm::Fluid<float>&, structure::Membrane const&);
 template void feel(Diffuse<double>&, lbm::Fluid<double>&, structure::Membrane const&);
 template void impose(Diffuse<float>&, lbm::Fluid<float>&, Eigen::VectorXd const&, Ledger&);

@@ -41,6 +41,10 @@ Diffuse<Real> make_diffuse(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
                            std::vector<lbm::WallHit> const& wall_hits,
                            structure::Membrane const& membrane, double divide);
 
+/// Walls at rest write what they send back.
+template <class Real>
+void reflect_at_walls(Diffuse<Real>& body, lbm::Fluid<Real>& fluid);
+
 /// Streams, then finds the force on the nodes were the membrane at rest, F0, and the block Z by
 /// which it falls with the velocity. A marker of area A in fluid of density rho that arrives with
 /// the velocity U needs  F = 2 rho A (V - U)  to take it to V within the step, so

@@ -7,7 +7,7 @@ namespace velum::ibm {
 struct Ledger {
   double swept_up = 0, swept_down = 0;  // pushed in by the moving faces
   double membrane_up = 0,
-         membrane_down = 0;  // came out of the membrane by no motion: numerical leak
+         membrane_down = 0;  // came out of a diffuse membrane by no motion: numerical leak
   double seat = 0;           // crossed the dividing radius under the membrane, inwards
 };
 

@@ -9,8 +9,13 @@ namespace velum::ibm {
 /// Connected regions of fluid: two cells belong together when a population can travel from one to
 /// the other. Sealing is a statement about these.
 struct Regions {
+  /// Cells of one region along a row.
+  struct Run {
+    int row, first, last, region;
+  };
   int count = 0;
-  std::vector<int> of;  // [ny][nx], -1 where there is no fluid
+  std::vector<int> of;    // [ny][nx], -1 where there is no fluid
+  std::vector<Run> runs;  // all its cells, row by row
 };
 
 template <class Real>

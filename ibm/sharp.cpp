@@ -70,6 +70,13 @@ Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
 }
 
 template <class Real>
+void reflect_at_walls(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
+{
+  lbm::bounce_back(fluid, body.resting, {});
+  add_gain(body.mass, fluid, body.resting);
+}
+
+template <class Real>
 void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane)
 {
   lbm::Fluid<Real> const from = fluid;
@@ -118,11 +125,11 @@ void impose(Sharp<Real>& body, lbm::Fluid<Real>& fluid, Eigen::VectorXd const& v
     double const cu = along(l, m.hit, velocity) + thickening_along(l, m, body.surface);
     double const term = lbm::wall_coefficient(l.dir, heard(2, k), l.q) * cu;
     term_host(k) = term;
-    // a face that moves by u sweeps 6 w rho c.u along a link; what else came back is a leak
-    double const swept = -m.ring * 6 * D2Q9::w(l.dir) * heard(2, k) * cu;
-    double const gained = m.ring * (heard(1, k) - term - heard(0, k));
-    (m.downstream ? ledger.swept_down : ledger.swept_up) += swept;
-    (m.downstream ? ledger.membrane_down : ledger.membrane_up) += gained - swept;
+    // a face that moves by u sweeps 6 w rho c.u along a link
+    (m.downstream ? ledger.swept_down : ledger.swept_up) -=
+        m.ring * 6 * D2Q9::w(l.dir) * heard(2, k) * cu;
+    body.mass.surplus[static_cast<std::size_t>(l.region)] +=
+        m.ring * (heard(1, k) - term - heard(0, k));
   }
   Kokkos::deep_copy(body.wall_term, term_host);
   lbm::Fluid<Real> const to = fluid;
@@ -139,29 +146,58 @@ void impose(Sharp<Real>& body, lbm::Fluid<Real>& fluid, Eigen::VectorXd const& v
   lbm::stream_and_collide(fluid);
 }
 
+namespace {
+
+/// Uncovered sites of the last update and the neighbours that can fill them.
 template <class Real>
-void move(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane)
+std::vector<Uncovered> uncovered(Sharp<Real>& body, lbm::Fluid<Real> const& fluid)
 {
-  locate(body.surface, membrane);
-  if (!update(body.cells, body.surface, body.walls)) return recut(body);
+  Cells const& cells = body.cells;
   std::vector<Uncovered> sites;
-  for (CellChange const& c : body.cells.changes) {
-    if (!is_fluid(c.after) || body.cells.at(c.i, c.j) != c.after) continue;
+  for (CellChange const& c : cells.changes) {
+    if (!is_fluid(c.after)) continue;
     unsigned from = 0;
     for (int d = 1; d < D2Q9::Q; ++d) {
       int const i = c.i + D2Q9::cx(d), j = c.j + D2Q9::cy(d);
       if (i < 0 || i >= fluid.nx || j < 0 || j >= fluid.ny) continue;
       bool const fresh =
-          std::any_of(body.cells.changes.begin(), body.cells.changes.end(),
+          std::any_of(cells.changes.begin(), cells.changes.end(),
                       [&](CellChange const& other) { return other.i == i && other.j == j; });
-      if (!fresh && body.cells.at(i, j) == c.after) from |= 1u << d;
+      if (!fresh && cells.at(i, j) == c.after) from |= 1u << d;
     }
     sites.push_back({c.i, c.j, from});
     body.refilled += 1;
     body.orphans += from == 0;
   }
-  refill(fluid, sites);
+  return sites;
+}
+
+/// Follows the membrane where cells have changed.
+template <class Real>
+void change_cells(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
+{
+  add_changed_cells(body.mass, fluid, body.cells, -1);
+  refill(fluid, uncovered(body, fluid));
   rebuild_links(body, fluid);
+  add_changed_cells(body.mass, fluid, body.cells, 1);
+}
+
+}  // namespace
+
+template <class Real>
+void move(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane)
+{
+  body.before = {body.surface.plus, body.surface.minus};
+  locate(body.surface, membrane);
+  subtract_swept(body.mass, body.cells, fluid_plus, body.before[0], body.surface.plus,
+                 fluid.symmetry);
+  subtract_swept(body.mass, body.cells, fluid_minus, body.before[1], body.surface.minus,
+                 fluid.symmetry);
+  if (update(body.cells, body.surface, body.walls))
+    change_cells(body, fluid);
+  else
+    recut(body);
+  if (fluid.f.step % budget_period == 0) take_back(body.mass, fluid);
 }
 
 template Sharp<float> make_sharp(lbm::Fluid<float>&, lbm::Walls const&,
@@ -170,6 +206,8 @@ template Sharp<float> make_sharp(lbm::Fluid<float>&, lbm::Walls const&,
 template Sharp<double> make_sharp(lbm::Fluid<double>&, lbm::Walls const&,
                                   std::vector<lbm::WallHit> const&, structure::Membrane const&,
                                   double, bool, SeatGapCells const&);
+template void reflect_at_walls(Sharp<float>&, lbm::Fluid<float>&);
+template void reflect_at_walls(Sharp<double>&, lbm::Fluid<double>&);
 template void feel(Sharp<float>&, lbm::Fluid<float>&, structure::Membrane const&);
 template void feel(Sharp<double>&, lbm::Fluid<double>&, structure::Membrane const&);
 template void impose(Sharp<float>&, lbm::Fluid<float>&, Eigen::VectorXd const&, Ledger&);

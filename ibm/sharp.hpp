@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "ibm/cells.hpp"
 #include "ibm/exchange.hpp"
 #include "ibm/ledger.hpp"
+#include "ibm/region_mass.hpp"
 #include "lbm/link.hpp"
 
 namespace velum::ibm {
@@ -14,7 +16,7 @@ struct CutLink {
   double ring;
   std::uint8_t side;  // plus_side or minus_side: of the fluid cell
   bool downstream;    // for the ledger
-  bool wedge;         // the cell touches a wall as well: half-way rule
+  bool half_way;      // by the model's wall rule, or as the cell touches a wall as well
 };
 
 /// Sharp link-cut immersed boundary: the membrane is a solid with two wet faces; a link whose ends
@@ -25,6 +27,7 @@ struct Sharp {
   lbm::Walls walls;
   std::vector<lbm::WallHit> wall_hits;  // without those of openings
   Surface surface;
+  std::array<FaceLine, 2> before;  // its plus and minus face a step ago
   Cells cells;
   double divide = 0;  // radius that parts up- from downstream under the membrane
 
@@ -38,6 +41,7 @@ struct Sharp {
   std::vector<CutLink> cut;
   Kokkos::View<double**, Kokkos::LayoutRight> heard;  // [3][links]: outgoing, reflected, density
   Kokkos::View<double*> wall_term;                    // kappa c.u_w of each link
+  RegionMass mass;
   Exchange exchange;
   long refilled = 0, orphans = 0;  // sites uncovered so far; those without a neighbour to copy
 };
@@ -49,6 +53,10 @@ Sharp<Real> make_sharp(lbm::Fluid<Real>& fluid, lbm::Walls const& walls,
                        std::vector<lbm::WallHit> const& wall_hits,
                        structure::Membrane const& membrane, double divide, bool dry_plus = false,
                        SeatGapCells const& gap = {});
+
+/// Walls at rest write what they send back.
+template <class Real>
+void reflect_at_walls(Sharp<Real>& body, lbm::Fluid<Real>& fluid);
 
 /// Force of the fluid on the nodes were the membrane at rest, F0, and the block Z by which it falls
 /// with the velocity. Per link, momentum exchange relative to the rest density:
@@ -65,7 +73,8 @@ template <class Real>
 void impose(Sharp<Real>& body, lbm::Fluid<Real>& fluid, Eigen::VectorXd const& velocity,
             Ledger& ledger);
 
-/// Follows the membrane to its new place: labels, uncovered sites, cut links.
+/// Follows the membrane to its new place: labels, uncovered sites, cut links, and the mass that the
+/// step has put into closed regions or lost from them.
 template <class Real>
 void move(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane);
 

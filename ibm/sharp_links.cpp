@@ -20,7 +20,15 @@ template <class Real>
 lbm::Link link(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir,
                double q)
 {
-  return {i, j, std::int16_t(dir), std::int16_t(same_side_behind(body, fluid, i, j, dir)), 1.0f, q};
+  bool const half_way = fluid.model.wall_rule == lbm::WallRule::half_way;
+  lbm::Link l{i,
+              j,
+              std::int16_t(dir),
+              std::int16_t(same_side_behind(body, fluid, i, j, dir)),
+              1.0f,
+              half_way ? 0.5 : q};
+  l.region = body.mass.regions.of[static_cast<std::size_t>(j * body.cells.labels.nx + i)];
+  return l;
 }
 
 template <class Real>
@@ -41,7 +49,8 @@ void add_cut(Sharp<Real>& body, lbm::Fluid<Real> const& fluid, int i, int j, int
   std::uint8_t const side = body.cells.at(i, j);
   body.cut_host.push_back(link(body, fluid, i, j, dir, hit.q));
   body.cut.push_back({hit, lbm::link_ring(fluid.symmetry, y, dir), side,
-                      side == fluid_minus && y < body.divide, false});
+                      side == fluid_minus && y < body.divide,
+                      fluid.model.wall_rule == lbm::WallRule::half_way});
 }
 
 /// Sites of row j that may have a neighbour across the membrane, or in the gap below it: from two,
@@ -118,8 +127,8 @@ void round_wedges(Sharp<Real>& body, std::vector<lbm::Link>& resting)
   for (lbm::Link& l : resting)
     if (in_wedge(l)) half_way(l);
   for (std::size_t k = 0; k < body.cut.size(); ++k) {
-    body.cut[k].wedge = in_wedge(body.cut_host[k]);
-    if (body.cut[k].wedge) half_way(body.cut_host[k]);
+    body.cut[k].half_way |= in_wedge(body.cut_host[k]);
+    if (body.cut[k].half_way) half_way(body.cut_host[k]);
   }
 }
 
@@ -139,6 +148,7 @@ template <class Real>
 void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
 {
   Cells const& cells = body.cells;
+  find_regions(body.mass, fluid, cells);
   body.cut.clear();
   body.cut_host.clear();
   std::vector<lbm::Link> resting, edge[2];
@@ -193,7 +203,7 @@ void recut(Sharp<Real>& body)
   for (std::size_t k = 0; k < body.cut.size(); ++k) {
     lbm::Link& l = body.cut_host[k];
     body.cut[k].hit = find_hit(body, l.i, l.j, l.dir);
-    if (!body.cut[k].wedge) l.q = body.cut[k].hit.q;
+    if (!body.cut[k].half_way) l.q = body.cut[k].hit.q;
   }
   upload_cuts(body);
 }

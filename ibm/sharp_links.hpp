@@ -3,8 +3,8 @@
 
 namespace velum::ibm {
 
-/// Lists the links that rigid walls, films and the membrane cut, for the present cell states, and
-/// marks in fluid.active which side each fluid cell belongs to (0 none, 1 plus, 2 minus).
+/// Finds the regions of fluid and lists the links that rigid walls, films and the membrane cut, for
+/// the present cell states, and marks in fluid.active which side each fluid cell belongs to (0 none, 1 plus, 2 minus).
 template <class Real>
 void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid);
 

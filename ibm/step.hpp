@@ -1,7 +1,6 @@
 #pragma once
 #include "ibm/coupled.hpp"
 #include "ibm/gap_film.hpp"
-#include "lbm/bounce_back.hpp"
 #include "lbm/stream_and_collide.hpp"
 
 namespace velum::ibm {
@@ -12,7 +11,7 @@ void apply_boundaries(Coupled<Real, Body>& s)
 {
   tie_gap(s);
   lbm::fill_ghosts(s.fluid);
-  lbm::bounce_back(s.fluid, s.body.resting, {});
+  reflect_at_walls(s.body, s.fluid);
   for (std::size_t k = 0; k < s.openings.size(); ++k)
     if (s.openings[k].area > 0) lbm::apply(s.fluid, s.openings[k], s.targets[k]);
 }

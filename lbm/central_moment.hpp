@@ -1,4 +1,5 @@
 #pragma once
+#include "lbm/hermite_closure.hpp"
 #include "lbm/odd_moments.hpp"
 #include "lbm/site.hpp"
 
@@ -20,8 +21,12 @@ namespace velum::lbm {
 template <class Real>
 struct CentralMoment {
   Real omega;
-  Real magic = Real(0.125);
+  OddShare<Real> odd;
 
+  KOKKOS_FUNCTION explicit CentralMoment(Real shear_rate, Real magic = Real(0.125))
+      : omega(shear_rate), odd(shear_rate, magic)
+  {
+  }
   KOKKOS_FORCEINLINE_FUNCTION Real shear_rate() const { return omega; }
   KOKKOS_FORCEINLINE_FUNCTION Real bulk_rate(Real) const { return 1; }
 
@@ -29,17 +34,16 @@ struct CentralMoment {
   KOKKOS_FORCEINLINE_FUNCTION void higher(Moments<L, Real> const& in, Moments<L, Real>& out,
                                           Site const& site) const
   {
-    auto const u = velocity(out);
     if constexpr (L::D == 3)
       close_by_hermite(out);
     else
-      close_in_the_plane(out, u, site);
-    auto u_in = site.u;
-    if constexpr (Site::has_sources) u_in -= (Real(0.5) / (1 + site.rho)) * site.S;
+      close_in_the_plane(out, velocity(out), site);
     Real u2 = 0;
     core::static_for<L::D>([&](auto a)
                                __attribute__((always_inline)) { u2 += site.u[a] * site.u[a]; });
-    keep_odd_moments(in, out, u_in, u, odd_rate(magic, 1 / site.shear - Real(0.5), u2));
+    auto u_in = site.u;
+    if constexpr (Site::has_sources) u_in -= (Real(0.5) / (1 + site.rho)) * site.S;
+    keep_odd_moments(in, out, u_in, odd(u2));
   }
 
   template <Lattice L, class Site>

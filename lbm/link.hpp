@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lbm/fluid.hpp"
+#include "lbm/moments.hpp"
 
 namespace velum::lbm {
 
@@ -14,6 +15,7 @@ struct Link {
   float weight;         // of an opening's velocity profile; 1 elsewhere
   double q;             // share of the link up to the wall, 0 < q <= 1
   std::int32_t k = 0;
+  std::int32_t region = 0;  // connected region of the fluid cell, where these are told apart
 };
 
 /// A list of links on the device; its capacity only grows.
@@ -76,12 +78,11 @@ KOKKOS_FORCEINLINE_FUNCTION double reflecting_place(Fluid<Real, L, Stored> const
                                                     Link const& l)
 {
   if (l.q >= shortest_fast_link || fluid.model.collision != Collision::central_moments) return l.q;
-  double u2 = 0;
-  for (int a = 0; a < L::D; ++a) {
-    double j = 0;
-    for (int d = 1; d < L::Q; ++d) j += L::c(d, a) * double(fluid.f.outgoing(d, cell));
-    u2 += j * j;
-  }
+  Real site[L::Q], rho;
+  core::Vec<Real, L::D> j;
+  for (int d = 0; d < L::Q; ++d) site[d] = fluid.f.outgoing(d, cell);
+  density_and_momentum<L>(site, rho, j);
+  double const u2 = double(dot(j, j));
   double const slow = robust_from * fluid.model.viscosity, fast = u2 / (u2 + slow * slow);
   return l.q > fast * shortest_fast_link ? l.q : fast * shortest_fast_link;
 }

@@ -118,7 +118,8 @@ Link link_at(Fluid<Real, L, Stored> const& fluid, Walls const& walls, WallHit co
 {
   Neighbour const behind = neighbour(fluid, hit.i, hit.j, L::opposite(hit.dir), hit.k);
   bool const second = behind.i >= 0 && !walls.is_solid(behind.i, behind.j, behind.k);
-  return {hit.i, hit.j, std::int16_t(hit.dir), std::int16_t(second), float(weight), hit.q, hit.k};
+  double const q = fluid.model.wall_rule == WallRule::half_way ? 0.5 : hit.q;
+  return {hit.i, hit.j, std::int16_t(hit.dir), std::int16_t(second), float(weight), q, hit.k};
 }
 
 #define VELUM_INSTANTIATE(Real, L, Stored)                                                     \

@@ -56,7 +56,8 @@ struct Neighbour {
 template <class Real, class L, class Stored>
 Neighbour neighbour(Fluid<Real, L, Stored> const& fluid, int i, int j, int dir, int k = 0);
 
-/// The link of a wall hit; its second cell is the one behind, where that is fluid.
+/// The link of a wall hit, by the model's wall rule; its second cell is the one behind, where that
+/// is fluid.
 template <class Real, class L, class Stored>
 Link link_at(Fluid<Real, L, Stored> const& fluid, Walls const& walls, WallHit const& hit,
              double weight = 1);

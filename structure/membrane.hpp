@@ -54,6 +54,9 @@ inline bool starts_on_axis(Membrane const& m)
   return m.symmetry == core::Symmetry::axisymmetric && m.reference[1] == 0;
 }
 
+/// The node that is taken for the middle: on the axis, or half-way of a strip or annulus.
+inline int middle_node(Membrane const& m) { return starts_on_axis(m) ? 0 : node_count(m) / 2; }
+
 /// Node a of an interleaved vector (positions, velocities, forces).
 inline core::Vec2 node(Eigen::VectorXd const& interleaved, int a)
 {

@@ -27,8 +27,8 @@ Scene read_charted(std::filesystem::path const& file, std::vector<std::string> c
 
 void print(ChartRow const& row)
 {
-  fmt::print("{:<18} {:>8.4g} mm  {:<16} {:<7} {}\n", row.scene, 1e3 * row.dx, word(row.collision),
-             word(row.precision),
+  fmt::print("{:<18} {:>8.4g} mm  {:<21} {:<12} {:<7} {}\n", row.scene, 1e3 * row.dx,
+             word(row.collision), word(row.wall_rule), word(row.precision),
              row.outcome == "ok"
                  ? fmt::format("{:>9.2f} s  {} = {:.3e}{}", row.wall_time, row.error_key, row.error,
                                row.is_default ? "  (default)" : "")
@@ -47,7 +47,7 @@ void chart_command(Options const& options)
   std::vector<ChartRow> rows;
   for (auto const& scene : scenes)
     for (auto const& point : chart_points(scene, options.quick)) {
-      rows.push_back(measure(scene, point));
+      rows.push_back(measure(scene, point, out / "run"));
       core::write_atomically(out / "chart.csv", csv(rows));
       if (!options.quiet) print(rows.back());
       std::fflush(stdout);

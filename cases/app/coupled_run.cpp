@@ -9,6 +9,8 @@
 #include "cases/app/coupled_checkpoint.hpp"
 #include "cases/app/coupled_steps.hpp"
 #include "cases/app/fall_back.hpp"
+#include "cases/app/free_oscillation.hpp"
+#include "cases/app/reference.hpp"
 #include "cases/app/settled_state.hpp"
 #include "cases/app/stop.hpp"
 #include "cases/app/valve_report.hpp"
@@ -38,8 +40,10 @@ void begin(Certificate& c, Scene const& scene, HydrostaticScene const& start, De
 {
   c.inlet = inlet_pressure(scene, scene.run.settle);
   c.outlet = outlet_pressure(scene, scene.run.settle);
-  c.centre_start = core::to_si_length(d.units, start.membrane.reference[0]);
-  c.centre_hydrostatic = core::to_si_length(d.units, start.membrane.position[0]);
+  c.centre_start = core::to_si_length(
+      d.units, start.membrane.reference[2 * structure::middle_node(start.membrane)]);
+  c.centre_hydrostatic = core::to_si_length(
+      d.units, start.membrane.position[2 * structure::middle_node(start.membrane)]);
   c.has_shut = when.total > when.settle;
   c.least_jump_shut = c.inlet - c.outlet;
 }
@@ -75,8 +79,12 @@ std::string conclude(CoupledRun<Real, Body>& run, HydrostaticScene const& start,
   c.stretch_max = run.march.stretch.largest;
   add_range(said, run.march.stretch, run.scene.materials.at(run.scene.membrane->material));
   core::Summary summary{figures(c), said};
+  summary.figures.push_back({"steps", double(run.march.step), "1"});
   if (run.march.stretch.face > 0)
     summary.figures.push_back({"stretch_max_face", run.march.stretch.face, "1"});
+  if (!run.scene.contact && !c.driven)
+    for (auto const& f : free_oscillation(read_history(run.options.out / "series.csv")))
+      summary.figures.push_back(f);
   std::string text = certificate_text(c);
   if (!run.scene.orifices.empty()) {
     auto const valve = report(run);
@@ -87,6 +95,7 @@ std::string conclude(CoupledRun<Real, Body>& run, HydrostaticScene const& start,
         valve.text + fmt::format("wall time {:.1f} s, {:.0f} MLUPS, {:.1f} % of it the membrane's",
                                  c.wall_time, c.mlups, 100 * c.membrane_share);
   }
+  if (!run.stopped) compare_figure(run.scene, summary.figures);
   core::write_summary(run.options.out / "summary.json", summary);
   return text;
 }
@@ -157,9 +166,12 @@ void run_coupled(Scene const& asked, RunOptions const& options)
   for (auto const& [name, sentence] : assumptions(scene, d, smagorinsky))
     spdlog::info("{}: {}", name, sentence);
   if (start.seat)
-    spdlog::info("starts from the hydrostatic state: centre {:.4f} mm below the flat membrane",
-                 1e3 * core::to_si_length(
-                           d.units, start.membrane.reference[0] - start.membrane.position[0]));
+    spdlog::info(
+        "starts from the hydrostatic state: centre {:.4f} mm below the flat membrane",
+        1e3 *
+            core::to_si_length(
+                d.units, start.membrane.reference[2 * structure::middle_node(start.membrane)] -
+                             start.membrane.position[2 * structure::middle_node(start.membrane)]));
   std::string const text =
       scene.lattice.precision == Precision::double_
           ? march_with<double>(asked, initial, options, start, smagorinsky, fallen)

@@ -179,6 +179,7 @@ void exchange_state(core::StateFile& file, CoupledScene<Real, ibm::Sharp>& s, Fl
     exchange_opening(file, fmt::format("opening {}", k), s.state.openings[k]);
   file.field("targets", s.state.targets);
   if (s.state.chambers) exchange_chambers(file, *s.state.chambers);
+  file.list("water to take back", s.state.body.mass.surplus);
   exchange_sums(file, s.state.ledger, flows);
 }
 

@@ -22,7 +22,9 @@ void run_hydrostatic(Scene const& scene, std::filesystem::path const& out)
 
   auto profile = start_profile(out);
   append_profile(profile, s.membrane, dx, 0);
-  double const deflection = dx * (s.membrane.reference[0] - s.membrane.position[0]);
+  int const middle = structure::middle_node(s.membrane);
+  double const deflection =
+      dx * (s.membrane.reference[2 * middle] - s.membrane.position[2 * middle]);
   double const force = core::to_si_force(d.units, symmetry(scene), s.report.patch.force);
   double const penetration = dx * s.report.patch.penetration;
   auto const& material = scene.materials.at(scene.membrane->material);

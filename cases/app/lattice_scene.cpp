@@ -95,6 +95,7 @@ lbm::Model model(Scene const& scene, Derived const& d, double smagorinsky)
   model.collision = scene.lattice.collision;
   model.viscosity = d.viscosity;
   model.magic = scene.lattice.magic;
+  model.wall_rule = scene.lattice.wall_rule;
   model.smagorinsky = smagorinsky;
   // The density of the rest state is 1, so that a force per volume is an acceleration.
   for (int axis = 0; axis < dimensions(scene); ++axis)

@@ -51,7 +51,9 @@ template <class Real, template <class> class Body>
 void add_flows(Flows& flows, CoupledScene<Real, Body> const& s)
 {
   for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
-    double const in = s.state.openings[k].mass_flow;
+    // mass over the density that the lattice has at that pressure: water would have the same volume
+    lbm::Opening const& o = s.state.openings[k];
+    double const in = o.mass_flow / (1 + 3 * o.traction);
     if (s.boundary[k] == "inlet") flows.in += in;
     if (s.boundary[k] != "outlet") continue;
     flows.out -= in;
@@ -87,7 +89,8 @@ Measurement measure(CoupledScene<Real, Body> const& s, Scene const& scene, Flows
                         volume_under(s.state.body.surface.faces.minus, symmetry, s.divide);
   m.volume_inside = volume(inside);
   m.mass_inside = volume(inside * (1 + 3 * mean_pressure(s, Zone::inside)));
-  m.centre = core::to_si_length(units, s.state.membrane.position[0]);
+  m.centre = core::to_si_length(
+      units, s.state.membrane.position[2 * structure::middle_node(s.state.membrane)]);
   if (s.state.seat) {
     auto const patch = contact::contact_patch(s.state.seat->contact, s.state.seat->markers);
     m.penetration = core::to_si_length(units, patch.penetration);

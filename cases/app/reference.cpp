@@ -2,6 +2,8 @@
 
 #include "cases/app/derived.hpp"
 #include "cases/app/table_file.hpp"
+#include "core/check.hpp"
+#include "core/spelling.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,6 +24,10 @@ bool matches(std::optional<double> given, double wanted, double tolerance)
 
 ReferenceData load_exact(Scene const& scene)
 {
+  auto const& reference = *scene.reference;
+  if (reference.kind == ReferenceKind::figure)
+    return {
+        {}, {}, fmt::format("{} = {:.6g}, as the scene has it", reference.figure, reference.value)};
   return {{},
           {},
           scene.reference->kind == ReferenceKind::pipe
@@ -94,12 +100,35 @@ std::vector<core::Figure> compare(ReferenceData const& data, Result const& resul
       return compare_body(data, result);
     case ReferenceKind::dissipation:
       return compare_dissipation(data, result);
+    case ReferenceKind::figure:
+      break;  // of the whole summary: compare_figure()
   }
   return {};
 }
 
+void compare_figure(Scene const& scene, std::vector<core::Figure>& figures)
+{
+  if (!scene.reference || scene.reference->kind != ReferenceKind::figure) return;
+  auto const& reference = *scene.reference;
+  auto const found = std::find_if(figures.begin(), figures.end(), [&](core::Figure const& f) {
+    return f.name == reference.figure;
+  });
+  if (found == figures.end()) {
+    std::vector<std::string> names;
+    for (auto const& f : figures) names.push_back(f.name);
+    std::string const near = core::nearest(reference.figure, names);
+    throw core::InputError(fmt::format(
+        "{}: reference.figure = \"{}\" is no figure of this run{} It has: {}.", scene.source.file,
+        reference.figure, near.empty() ? "." : fmt::format("; did you mean \"{}\"?", near),
+        fmt::join(names, ", ")));
+  }
+  double const error = std::abs(found->value - reference.value) / reference.scale;
+  figures.push_back({reference.figure + "_error", error, "1"});
+}
+
 std::string error_key(Scene const& scene, ReferenceData const& data)
 {
+  if (scene.reference->kind == ReferenceKind::figure) return scene.reference->figure + "_error";
   if (scene.reference->file.empty() || !data.points.empty()) return "error_l2";
   return data.bounds.empty() ? "" : data.bounds.front().figure + "_error";
 }

@@ -49,6 +49,11 @@ struct Result {
 /// The errors of a run, for its summary. Names end in _error or begin with error_.
 std::vector<core::Figure> compare(ReferenceData const& data, Result const& result);
 
+/// Adds the error |x - value| / scale of the figure x that a scene's reference of kind "figure"
+/// names; nothing where the scene has another reference or none.
+/// @throws core::InputError  the run has no such figure
+void compare_figure(Scene const& scene, std::vector<core::Figure>& figures);
+
 /// Name of the figure by which runs of the scene are ranked: error_l2, or the first bound's error.
 /// Empty where the file has nothing for the scene's Reynolds number.
 std::string error_key(Scene const& scene, ReferenceData const& data);

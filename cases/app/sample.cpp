@@ -46,7 +46,9 @@ struct Lagrange {
 };
 
 /// Value at the place of the best parabola; the weights fall with the distance, so that the nearest
-/// cells decide where there are many.
+/// cells decide where there are many. In a gap of two cells or one the curvature or the slope is
+/// not determined: of all fits the solver takes the one of least norm, in which they are counted so
+/// dearly that it has none.
 lbm::CellState fitted(Neighbourhood const& near, bool space)
 {
   auto const n = static_cast<Eigen::Index>(near.at.size());
@@ -55,8 +57,11 @@ lbm::CellState fitted(Neighbourhood const& near, bool space)
     auto const& [x, y, z] = near.at[static_cast<std::size_t>(k)].c;
     auto const& s = near.state[static_cast<std::size_t>(k)];
     double const w = std::exp(-(x * x + y * y + z * z) / 4);
-    terms.row(k).head(6) << w, w * x, w * y, w * x * x, w * x * y, w * y * y;
-    if (space) terms.row(k).tail(4) << w * z, w * x * z, w * y * z, w * z * z;
+    double const slope = 1e-3 * w, curvature = 1e-6 * w;
+    terms.row(k).head(6) << w, slope * x, slope * y, curvature * x * x, curvature * x * y,
+        curvature * y * y;
+    if (space)
+      terms.row(k).tail(4) << slope * z, curvature * x * z, curvature * y * z, curvature * z * z;
     values.row(k) << w * s.rho, w * s.ux, w * s.uy, w * s.uz;
   }
   Eigen::MatrixXd const fit = terms.completeOrthogonalDecomposition().solve(values);

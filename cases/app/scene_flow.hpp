@@ -10,7 +10,7 @@ namespace velum::cases {
 enum class InitialKind { rest, uniform, taylor_green, shear_layer };
 enum class VelocityProfile { uniform, parabolic };
 enum class ProbeKind { point, force, pressure_difference, kinetic_energy };
-enum class ReferenceKind { points, taylor_green, pipe, body, dissipation };
+enum class ReferenceKind { points, taylor_green, pipe, body, dissipation, figure };
 
 /// The flow at t = 0 (cases/app/initial_state.hpp has the formulas).
 struct InitialState {
@@ -37,6 +37,9 @@ struct Reference {
   std::string energy{};      // dissipation: name of a probe
   std::string force{};       // body: name of a probe
   std::string difference{};  // body: name of a probe, or empty
+  std::string figure{};      // figure: one of summary.json
+  double value = 0;          // figure: what it should be, in the figure's own SI unit
+  double scale = 0;          // figure: what its error is a share of
 };
 
 /// What `velum chart` sweeps of this scene.

@@ -21,8 +21,8 @@ std::vector<std::string> axis_names(int dimensions)
 
 Lattice read_lattice(SceneTable table)
 {
-  table.allow({"dx", "from", "to", "mach", "time_step", "collision", "magic", "precision", "shift",
-               "periodic", "symmetry", "stencil"});
+  table.allow({"dx", "from", "to", "mach", "time_step", "collision", "magic", "wall_rule",
+               "precision", "shift", "periodic", "symmetry", "stencil"});
   Lattice lattice{.dx = table.quantity("dx", Dimension::length, Sign::positive),
                   .from = table.point("from"),
                   .to = table.point("to")};
@@ -32,6 +32,7 @@ Lattice read_lattice(SceneTable table)
   lattice.time_step = table.quantity_or_auto("time_step", Dimension::time);
   lattice.collision = table.choice<Collision>("collision", lattice.collision);
   lattice.magic = table.number("magic", lattice.magic);
+  lattice.wall_rule = table.choice<lbm::WallRule>("wall_rule", lattice.wall_rule);
   lattice.precision = table.choice<Precision>("precision", lattice.precision);
   lattice.shift = table.point("shift", lattice.shift);
   if (table.has("periodic"))

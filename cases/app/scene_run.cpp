@@ -91,8 +91,8 @@ Probe read_probe(SceneTable table, std::string name)
 
 Reference read_reference(SceneTable table)
 {
-  table.allow(
-      {"kind", "file", "length", "radius", "force", "pressure_difference", "kinetic_energy"});
+  table.allow({"kind", "file", "length", "radius", "force", "pressure_difference", "kinetic_energy",
+               "figure", "value", "scale"});
   Reference reference{.kind = table.choice<ReferenceKind>("kind")};
   std::string const condition = fmt::format(" with kind = \"{}\"", word(reference.kind));
   bool const body = reference.kind == ReferenceKind::body;
@@ -102,6 +102,13 @@ Reference read_reference(SceneTable table)
   } else if (reference.kind == ReferenceKind::pipe) {
     table.allow({"kind", "radius"}, condition);
     reference.length = table.quantity("radius", Dimension::length, Sign::positive);
+  } else if (reference.kind == ReferenceKind::figure) {
+    table.allow({"kind", "figure", "value", "scale"}, condition);
+    reference.figure = table.text("figure");
+    reference.value = table.any_number("value");
+    reference.scale = table.number("scale", std::abs(reference.value));
+    if (reference.scale == 0)
+      table.fail("value", "= 0 needs a scale beside it, of which the error is a share.");
   } else {
     std::vector<std::string> keys{"kind", "file", "length"};
     if (body) keys.insert(keys.end(), {"force", "pressure_difference"});

@@ -146,6 +146,16 @@ double SceneTable::number(std::string const& key, double fallback)
   return node ? number_of(*node, full(key)) : fallback;
 }
 
+double SceneTable::any_number(std::string const& key)
+{
+  auto const& node = require(key, "a number without unit");
+  auto const value = node.value<double>();
+  if (!value || !node.is_number() || !std::isfinite(*value))
+    fail_at(node, full(key),
+            fmt::format("must be a number without unit, but is {}.", describe(node)));
+  return *value;
+}
+
 double SceneTable::number_of(toml::node const& node, std::string const& path) const
 {
   auto const value = node.value<double>();

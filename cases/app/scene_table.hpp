@@ -49,7 +49,9 @@ class SceneTable {
   std::optional<double> pressure_per_length_or_auto(std::string const& key);
   /// A number without unit, > 0.
   double number(std::string const& key, double fallback);
-  /// Such numbers, at least one.
+  /// A number without unit of any sign.
+  double any_number(std::string const& key);
+  /// Numbers > 0, at least one.
   std::vector<double> numbers(std::string const& key);
   std::string text(std::string const& key);
   /// One of the words of a choice.

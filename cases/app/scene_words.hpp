@@ -31,6 +31,10 @@ inline Words<Collision> words(Collision)
           {"central_moments", Collision::central_moments},
           {"cumulant", Collision::cumulant}};
 }
+inline Words<lbm::WallRule> words(lbm::WallRule)
+{
+  return {{"interpolated", lbm::WallRule::interpolated}, {"half_way", lbm::WallRule::half_way}};
+}
 inline Words<structure::FitModel> words(structure::FitModel)
 {
   using structure::FitModel;
@@ -116,7 +120,8 @@ inline Words<ReferenceKind> words(ReferenceKind)
           {"taylor_green", ReferenceKind::taylor_green},
           {"pipe", ReferenceKind::pipe},
           {"body", ReferenceKind::body},
-          {"dissipation", ReferenceKind::dissipation}};
+          {"dissipation", ReferenceKind::dissipation},
+          {"figure", ReferenceKind::figure}};
 }
 inline Words<MembraneShape> words(MembraneShape)
 {

@@ -114,6 +114,7 @@ ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
   double const band = chamber_band * std::abs(s.chamber_final);
   s.chamber_time = std::fdim(settles(time, chamber, s.chamber_final, band), s.pilot_opens);
   s.flow_final = final_of(flow);
+  s.flow_end = flow.back();
   auto const most = std::max_element(flow.begin(), flow.end());
   s.flow_largest = *most;
   double const before = at_time(time, flow, start), rise = s.flow_final - before;
@@ -122,6 +123,7 @@ ValveSheet valve_sheet(History const& history, ValveFacts const& facts)
                           first_above(time, flow, before + 0.1 * rise, start)
                     : unknown;
   s.gap_final = final_of(gap);
+  s.gap_end = gap.back();
   s.gap_largest = *std::max_element(gap.begin(), gap.end());
 
   double const pressure = difference(facts, end);

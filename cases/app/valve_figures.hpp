@@ -40,9 +40,11 @@ struct ValveSheet {
   double chamber_final;   // pressure above the membrane, Pa
   double chamber_time;    // s from pilot_opens until it stays within 5 % of that
   double flow_final;      // out of the valve, with the pilot's share, m3/s
+  double flow_end;        // of the last row, where the last tenth is still under way
   double flow_largest;    // m3/s
   double flow_rise;       // s from 10 to 90 % of the way to the final flow, at first passage
   double gap_final;       // m
+  double gap_end;         // m
   double gap_largest;     // m
   double kv;              // of the final state, m3/h at 1 bar
   double leak;            // mean flow over the later half of the time shut before the pilot opens

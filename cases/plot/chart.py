@@ -28,14 +28,16 @@ def draw_panel(axes, scene: str, rows: list[dict[str, str]], colours: dict[str, 
     done = [row for row in rows if row["outcome"] == "ok"]
     lines = defaultdict(list)  # from the coarsest cells to the finest, as the rows come
     for row in done:
-        lines[row["collision"], row["precision"]].append(
+        lines[row["collision"], row["wall_rule"], row["precision"]].append(
             (float(row["wall_time [s]"]), float(row["error"])))
-    for (collision, precision), points in lines.items():
+    for (collision, wall_rule, precision), points in lines.items():
         single = precision != "double"
+        half_way = wall_rule == "half_way"
         axes.loglog(*zip(*points), color=colours[collision], linewidth=1,
-                    marker=MARKERS.get(precision, "^"), markersize=4,
+                    marker="x" if half_way else MARKERS.get(precision, "^"), markersize=4,
                     markerfacecolor="white" if single else colours[collision],
-                    linestyle="--" if single else "-", label=f"{collision}, {precision}")
+                    linestyle=":" if half_way else "--" if single else "-",
+                    label=f"{collision}, {'half-way walls' if half_way else precision}")
     front = pareto([point for points in lines.values() for point in points])
     if front:
         axes.step(*zip(*front), where="post", color="#bbbbbb", linewidth=4, zorder=0,
@@ -61,7 +63,7 @@ def draw_chart(rows: list[dict[str, str]], picture: Path) -> None:
     scenes = list(dict.fromkeys(row["scene"] for row in rows))
     columns = min(3, len(scenes))
     lines = -(-len(scenes) // columns)
-    entries = len({(row["collision"], row["precision"]) for row in rows}) + 2  # front, default
+    entries = len({(row["collision"], row["wall_rule"], row["precision"]) for row in rows}) + 2  # front, default
     abreast = 4 if columns > 1 else 2
     legend = 0.17 * -(-entries // abreast) + 0.1
     height = 3.2 * lines + legend

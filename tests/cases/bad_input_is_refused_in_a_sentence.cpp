@@ -18,8 +18,8 @@ TEST(BadInput, UnknownKeyHasLineNearestSpellingAndAllowedKeys)
   EXPECT_EQ(
       refused("dx = \"100 um\"", "dxx = \"100 um\""),
       "scene.toml:4: lattice.dxx is not a key of [lattice]; did you mean \"dx\"? Allowed: dx, "
-      "from, to, mach, time_step, collision, magic, precision, shift, periodic, symmetry, "
-      "stencil.");
+      "from, to, mach, time_step, collision, magic, wall_rule, precision, shift, periodic, "
+      "symmetry, stencil.");
   EXPECT_EQ(refused("[fluid]", "[fluids]").substr(0, 76),
             "scene.toml:7: fluids is not a key of the scene; did you mean \"fluid\"? Allowe");
 }

@@ -1,10 +1,12 @@
 // problem:   the shipped scenes without a membrane, through the same code as `velum run`, on coarse
 //            grids: lid-driven cavity, cylinder in a channel, Taylor-Green vortex, pipe, shear
-//            layer
+//            layer; still water, slit, radial discs
 // reference: the one that each scene names (its reference.csv or exact solution)
 // measure:   the scene's own error figures; orders from three grids at velocities ~ dx
 // tolerance: cavity 4 % L2 on 40 cells; drag 3 %, pressure difference 5 % with 10 cells across the
-//            cylinder; orders at least 1.8, the vortex 1e-4 on 32 cells; shear layer 15 % on 64
+//            cylinder; orders at least 1.8, the vortex 1e-4 on 32 cells; shear layer 15 % on 64;
+//            still water left with a tenth of its speed (it grew a million times); slit of 2, 3, 4 and 8 cells 1 %,
+//            discs 4 cells apart 2 % at Mach 0.03 and 0.003
 // why:       second-order scheme and walls; the vortex's leading error is small and changes its
 //            sign between these grids, so that its order comes out above 2; the cavity's table
 //            itself is off by 1 %; ten cells are a tenth of the radius of curvature of the boundary
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/check.hpp"
 #include "tests/cases/flow_file.hpp"
 #include "tests/support/order.hpp"
 
@@ -138,4 +141,42 @@ TEST(ShippedFlow, DivergenceIsCaughtBetweenTheDumps)
 }
 
 }  // namespace
+// 82.5 cells under a wall: links of length zero, the ones that fed a wave along it.
+TEST(ShippedFlow, StillWaterStaysStill)
+{
+  EXPECT_LT(figure(run_shipped("still_water", {}), "speed_max_error"), 0.1);
+}
+
+TEST(ShippedFlow, SlitOfFewCellsTakesItsPressure)
+{
+  for (auto const* dx : {"50 um", "33.3333 um", "25 um", "12.5 um"})
+    EXPECT_LT(figure(run_shipped("slit", {std::string("lattice.dx=") + dx}),
+                     "friction_pressure_difference_error"),
+              0.01)
+        << dx;
+}
+
+TEST(ShippedFlow, RadialDiscsDoNotKnowTheMachNumber)
+{
+  for (auto const* mach : {"0.03", "0.003"})
+    EXPECT_LT(figure(run_shipped("radial_discs", {std::string("lattice.mach=") + mach}),
+                     "land_pressure_difference_error"),
+              0.02)
+        << mach;
+}
+
+TEST(ShippedFlow, ReferenceToAFigureThatIsNotThereNamesThoseThatAre)
+{
+  try {
+    run_shipped("slit", {"reference.figure=friction_presure_difference", "run.end=1 ms"});
+    FAIL();
+  } catch (core::InputError const& refusal) {
+    EXPECT_NE(std::string(refusal.what())
+                  .find("reference.figure = \"friction_presure_difference\" is no figure of this run; did "
+                        "you mean \"friction_pressure_difference\"? It has: speed_max, "),
+              std::string::npos)
+        << refusal.what();
+  }
+}
+
 }  // namespace velum::tests

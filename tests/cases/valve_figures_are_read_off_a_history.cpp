@@ -106,7 +106,7 @@ TEST(ValveFigures, LeakClassesHaveTheLimitsOfTheStandard)
 TEST(ValveFigures, HaveNamesOfTheirOwn)
 {
   auto const all = cases::valve_figures(history(), facts());
-  EXPECT_EQ(all.size(), 15);
+  EXPECT_EQ(all.size(), 17);
   for (auto const& figure : all) EXPECT_TRUE(figure.name.starts_with("valve_")) << figure.name;
   EXPECT_NE(core::to_json({all, {}}).find("\"valve_kv\""), std::string::npos);
 }
