@@ -1,5 +1,7 @@
 #include "ibm/diffuse.hpp"
 
+#include <utility>
+
 #include "ibm/crossing.hpp"
 #include "lbm/bounce_back.hpp"
 #include "lbm/stream_and_collide.hpp"
@@ -99,8 +101,11 @@ void feel(Diffuse<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane cons
   for (std::size_t k = 0; k < list.size(); ++k) {
     FaceMarker const& m = list[k];
     auto const [U, strength] = heard_by(m, heard, k);
-    add(body.exchange, m.first, (1 - m.share) * strength, U - m.drift);
-    add(body.exchange, m.second, m.share * strength, U - m.drift);
+    // the block falls with the node's own velocity, the force with the marker's (ibm/sharp.hpp)
+    core::Vec2 const at_marker = velocity_at(m, membrane.velocity);
+    for (auto const& [node, share] : {std::pair{m.first, 1 - m.share}, {m.second, m.share}})
+      add(body.exchange, node, share * strength,
+          U + structure::node(membrane.velocity, node) - at_marker);
   }
 }
 

@@ -16,17 +16,22 @@ namespace {
 using lbm::D2Q9;
 
 /// Hands a link's force, block, area and pressure to one node with the given share.
+/// @param sum     of the populations were the face at rest
+/// @param stress  the same of the face as it moved a step ago: were the pressure of a face taken at
+///                rest, rho c_s u would be part of it
+/// @param excess  of c.u at the node over c.u at the hit, a step ago
 void add(Exchange& e, int node, double share, int side, core::Vec2 c, double w, double ring,
-         double sum, double kappa)
+         double sum, double stress, double kappa, double excess)
 {
   auto const a = static_cast<std::size_t>(node);
   double const m = share * ring;
-  e.force[2 * node] += m * sum * c[0];
-  e.force[2 * node + 1] += m * sum * c[1];
+  // the block falls with the node's own velocity, the force with that at the hit
+  e.force[2 * node] += m * (sum + kappa * excess) * c[0];
+  e.force[2 * node + 1] += m * (sum + kappa * excess) * c[1];
   Eigen::Vector2d const cc(c[0], c[1]);
   e.block[a] += m * kappa * cc * cc.transpose();
   e.link_area[side][a] += m * 6 * w * c;
-  e.pressure[side][a] += m * w * sum / (6 * w);
+  e.pressure[side][a] += m * w * stress / (6 * w);
   e.samples[side][a] += m * w;
 }
 
@@ -105,8 +110,14 @@ void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const&
     double const kappa = lbm::wall_coefficient(l.dir, host(2, k), l.q), w = D2Q9::w(l.dir);
     double const sum = host(0, k) + host(1, k) - kappa * thickening_along(l, m, body.surface);
     int const side = m.side == plus_side ? 0 : 1;
-    add(e, m.hit.first, 1 - m.hit.share, side, c, w, m.ring, sum, kappa);
-    add(e, m.hit.second, m.hit.share, side, c, w, m.ring, sum, kappa);
+    double const cu = along(l, m.hit, membrane.velocity);
+    auto const excess = [&](int node) {
+      return c[0] * membrane.velocity[2 * node] + c[1] * membrane.velocity[2 * node + 1] - cu;
+    };
+    add(e, m.hit.first, 1 - m.hit.share, side, c, w, m.ring, sum, sum - kappa * cu, kappa,
+        excess(m.hit.first));
+    add(e, m.hit.second, m.hit.share, side, c, w, m.ring, sum, sum - kappa * cu, kappa,
+        excess(m.hit.second));
   }
   for (int side : {0, 1})
     for (std::size_t a = 0; a < e.samples[side].size(); ++a)

@@ -63,7 +63,10 @@ void reflect_at_walls(Sharp<Real>& body, lbm::Fluid<Real>& fluid);
 ///   F = ring c (f_out + g),  Z = ring kappa c c^T,
 /// f_out the outgoing population, g what a resting wall reflects, both less w; handed to the two
 /// nodes of the element by its shape functions. Ladd 1994; Wen et al., J. Comput. Phys. 266 (2014)
-/// 161.
+/// 161. The block is lumped: each node feels its own velocity, the link that at its hit. What the
+/// two differ by, share Z (v_node - v_hit) with the velocities of the last step, is part of F0;
+/// without it neighbouring nodes would be braked towards each other by rho c_s times the element's
+/// length squared, the more the lower the Mach number.
 template <class Real>
 void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const& membrane);
 

@@ -4,7 +4,8 @@
 // measure:   kinetic energy of the membrane, mean of the last of ten parts of the run over that of
 //            the first; largest node speed in the whole run over the kick's
 // tolerance: a tenth; not above 1.05
-// why:       an unstable coupling grows by orders of magnitude within tens of steps
+// why:       an unstable coupling grows by orders of magnitude within tens of steps; just below the
+//            limit of the explicit one it is tenfold within the run
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +71,7 @@ TEST(DiffuseMembrane, ComesToRestAtEveryMassRatio)
 TEST(DiffuseMembrane, IsShakenByExplicitCouplingBelowAMassRatioOfFour)
 {
   EXPECT_LT(after_a_kick(core::Symmetry::planar, 4, ibm::Scheme::explicit_).fastest, 1.05);
-  EXPECT_GT(after_a_kick(core::Symmetry::planar, 3, ibm::Scheme::explicit_).fastest, 1e3);
+  EXPECT_GT(after_a_kick(core::Symmetry::planar, 3, ibm::Scheme::explicit_).fastest, 10);
 }
 
 }  // namespace
