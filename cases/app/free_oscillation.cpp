@@ -1,36 +1,51 @@
 #include "cases/app/free_oscillation.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
-#include "cases/app/oscillation.hpp"
+#include "cases/app/spectrum.hpp"
 
 namespace velum::cases {
 namespace {
 
-constexpr double least_swing = 1e-3;  // of what the middle did over the whole run
+constexpr double least_periods = 2;  // in each half
+
+/// A half of a signal: its first or its second.
+EvenSignal half(EvenSignal const& signal, bool second)
+{
+  auto const size = signal.value.size() / 2;
+  auto const from = signal.value.begin() + std::ptrdiff_t(second ? size : 0);
+  return {signal.time(second ? size : 0), signal.step, {from, from + std::ptrdiff_t(size)}};
+}
+
+/// The last two thirds, evenly sampled.
+EvenSignal late(std::vector<double> const& time, std::vector<double> const& value)
+{
+  double const from = time.front() + (time.back() - time.front()) / 3;
+  std::size_t first = 0;
+  while (time[first] < from) ++first;
+  std::vector<double> const t(time.begin() + std::ptrdiff_t(first), time.end());
+  return resample(t, {value.begin() + std::ptrdiff_t(first), value.end()}, median_step(t));
+}
 
 }  // namespace
 
 std::vector<core::Figure> free_oscillation(History const& history)
 {
-  if (!history.has("centre") || history.time.size() < 3) return {};
-  auto const centre = history.column("centre");
-  auto const [low, high] = std::minmax_element(centre.begin(), centre.end());
-  auto const swing = last_periods(history.time, centre, least_swing * (*high - *low));
-  if (!swing) return {};
-  std::vector<core::Figure> figures = {{"free_frequency", 1 / swing->period, "Hz"}};
-  int const periods = int(std::lround((swing->end - swing->begin) / swing->period));
-  if (periods < 2) return figures;
-  double const middle = mean(history.time, centre, swing->begin, swing->end);
-  auto const turn = [&](int k) {
-    double const from = swing->begin + k * swing->period;
-    return largest(history.time, centre, from, from + swing->period) - middle;
-  };
-  double const decrement = std::log(turn(0) / turn(periods - 1)) / (periods - 1);
-  figures.push_back({"free_damping_ratio", decrement / (2 * std::numbers::pi), "1"});
-  return figures;
+  if (!history.has("centre") || history.time.size() < 48) return {};
+  EvenSignal const signal = late(history.time, history.column("centre"));
+  double const apart = signal.step * double(signal.value.size() / 2);
+  double const line = peak_frequency(hann_spectrum(signal), 1 / apart);
+  if (!(line * apart >= least_periods)) return {};
+  auto const first = component(half(signal, false), line),
+             second = component(half(signal, true), line);
+  if (!(std::abs(first) > 0 && std::abs(second) > 0)) return {};
+  double const two_pi = 2 * std::numbers::pi;
+  double const frequency = line + std::arg(second / first) / (two_pi * apart);
+  return {{"free_frequency", frequency, "Hz"},
+          {"free_damping_ratio",
+           std::log(std::abs(first) / std::abs(second)) / (two_pi * frequency * apart), "1"}};
 }
 
 }  // namespace velum::cases
