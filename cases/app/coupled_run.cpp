@@ -95,7 +95,7 @@ std::string conclude(CoupledRun<Real, Body>& run, HydrostaticScene const& start,
         valve.text + fmt::format("wall time {:.1f} s, {:.0f} MLUPS, {:.1f} % of it the membrane's",
                                  c.wall_time, c.mlups, 100 * c.membrane_share);
   }
-  if (!run.stopped) compare_figure(run.scene, summary.figures);
+  if (!run.stopped) compare_figure(run.scene, summary);
   core::write_summary(run.options.out / "summary.json", summary);
   return text;
 }

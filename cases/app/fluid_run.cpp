@@ -136,7 +136,7 @@ core::Summary march(Scene const& scene, RunOptions const& options)
     for (auto const& f : compare(data, {scene, d.units, flow, record.history, end}))
       summary.figures.push_back(f);
   }
-  compare_figure(scene, summary.figures);
+  compare_figure(scene, summary);
   return summary;
 }
 

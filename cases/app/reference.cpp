@@ -2,8 +2,9 @@
 
 #include "cases/app/derived.hpp"
 #include "cases/app/table_file.hpp"
-#include "core/check.hpp"
 #include "core/spelling.hpp"
+
+#include <spdlog/spdlog.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -106,24 +107,26 @@ std::vector<core::Figure> compare(ReferenceData const& data, Result const& resul
   return {};
 }
 
-void compare_figure(Scene const& scene, std::vector<core::Figure>& figures)
+void compare_figure(Scene const& scene, core::Summary& summary)
 {
   if (!scene.reference || scene.reference->kind != ReferenceKind::figure) return;
   auto const& reference = *scene.reference;
+  auto& figures = summary.figures;
   auto const found = std::find_if(figures.begin(), figures.end(), [&](core::Figure const& f) {
     return f.name == reference.figure;
   });
-  if (found == figures.end()) {
-    std::vector<std::string> names;
-    for (auto const& f : figures) names.push_back(f.name);
-    std::string const near = core::nearest(reference.figure, names);
-    throw core::InputError(fmt::format(
-        "{}: reference.figure = \"{}\" is no figure of this run{} It has: {}.", scene.source.file,
-        reference.figure, near.empty() ? "." : fmt::format("; did you mean \"{}\"?", near),
-        fmt::join(names, ", ")));
+  if (found != figures.end()) {
+    double const error = std::abs(found->value - reference.value) / reference.scale;
+    figures.push_back({reference.figure + "_error", error, "1"});
+    return;
   }
-  double const error = std::abs(found->value - reference.value) / reference.scale;
-  figures.push_back({reference.figure + "_error", error, "1"});
+  std::vector<std::string> names;
+  for (auto const& f : figures) names.push_back(f.name);
+  std::string const near = core::nearest(reference.figure, names);
+  summary.assumptions["reference"] = fmt::format(
+      "none: this run has no figure {}{} It has: {}", reference.figure,
+      near.empty() ? "." : fmt::format("; did you mean {}?", near), fmt::join(names, ", "));
+  spdlog::warn("reference: {}", summary.assumptions["reference"]);
 }
 
 std::string error_key(Scene const& scene, ReferenceData const& data)

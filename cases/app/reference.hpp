@@ -50,9 +50,9 @@ struct Result {
 std::vector<core::Figure> compare(ReferenceData const& data, Result const& result);
 
 /// Adds the error |x - value| / scale of the figure x that a scene's reference of kind "figure"
-/// names; nothing where the scene has another reference or none.
-/// @throws core::InputError  the run has no such figure
-void compare_figure(Scene const& scene, std::vector<core::Figure>& figures);
+/// names. Where the run has no such figure, which is known at its end only, the summary and a
+/// warning say so. Nothing where the scene has another reference or none.
+void compare_figure(Scene const& scene, core::Summary& summary);
 
 /// Name of the figure by which runs of the scene are ranked: error_l2, or the first bound's error.
 /// Empty where the file has nothing for the scene's Reynolds number.
