@@ -18,8 +18,11 @@ double figure(core::Summary const& summary, std::string const& name)
 {
   auto const found = std::find_if(summary.figures.begin(), summary.figures.end(),
                                   [&](core::Figure const& f) { return f.name == name; });
-  core::require(found != summary.figures.end(),
-                fmt::format("The run has no figure {}; is its end too early?", name));
+  core::require(
+      found != summary.figures.end(),
+      fmt::format("The run has no figure {}: either reference.figure is none of its summary, "
+                  "or it ends too early to know it.",
+                  name));
   return found->value;
 }
 

@@ -3,9 +3,12 @@
 #include "cases/app/chosen_scheme.hpp"
 #include "cases/app/geometry.hpp"
 #include "contact/penalty.hpp"
+#include "core/check.hpp"
 #include "structure/line_bending.hpp"
 #include "structure/mass.hpp"
 #include "structure/stable_step.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -237,6 +240,20 @@ Derived derive(Scene const& scene)
   d.steps = static_cast<std::int64_t>(std::ceil(scene.run.end / dt - 1e-9));
   if (scene.membrane) derive_membrane(scene, d);
   return d;
+}
+
+void check_time_step(Scene const& scene, Derived const& d)
+{
+  double const dt = d.units.dt, end = scene.run.end;
+  if (end > 0 && end < dt / 2)
+    throw core::InputError(
+        fmt::format("{}: run.end = {:.3g} s does not hold one time step, which is {:.3g} s.",
+                    scene.source.file, end, dt));
+  if (d.mach >= 1)
+    throw core::InputError(fmt::format(
+        "{}: with lattice.time_step = {:.3g} s a velocity of {:.3g} m/s is Mach {:.3g}; it must be "
+        "below 1: lattice.time_step < \"{:.3g} us\".",
+        scene.source.file, dt, d.velocity, d.mach, 1e6 * dt / d.mach));
 }
 
 }  // namespace velum::cases

@@ -51,6 +51,11 @@ double opening_area(Scene const& scene, std::string const& boundary);
 /// where nothing drives takes the velocity of 1 kPa.
 Derived derive(Scene const& scene);
 
+/// Says what keeps a scene from being marched: a time step that its end does not hold once, or with
+/// which the reference velocity is no slower than sound.
+/// @throws core::InputError
+void check_time_step(Scene const& scene, Derived const& d);
+
 /// A membrane as the structure sees it: flat, at rest, metres.
 structure::Membrane make_membrane(MembraneSheet const& sheet, Material const& material,
                                   core::Symmetry symmetry);

@@ -88,6 +88,7 @@ core::Summary march(Scene const& scene, RunOptions const& options)
   double const smagorinsky = smagorinsky_constant(scene, false);
   auto s = make_fluid_scene<Real, L, Stored>(scene, smagorinsky);
   auto const& d = s.lattice.derived;
+  check_time_step(scene, d);
   ReferenceData const data = scene.reference ? load_reference(scene) : ReferenceData{};
   core::Summary summary{{}, assumptions(scene, d, smagorinsky)};
   if (scene.reference) summary.assumptions["reference"] = data.note;

@@ -124,7 +124,7 @@ void compare_figure(Scene const& scene, core::Summary& summary)
   for (auto const& f : figures) names.push_back(f.name);
   std::string const near = core::nearest(reference.figure, names);
   summary.assumptions["reference"] = fmt::format(
-      "none: this run has no figure {}{} It has: {}", reference.figure,
+      "none: this run has no figure {}{} Some want a longer run. It has: {}", reference.figure,
       near.empty() ? "." : fmt::format("; did you mean {}?", near), fmt::join(names, ", "));
   spdlog::warn("reference: {}", summary.assumptions["reference"]);
 }

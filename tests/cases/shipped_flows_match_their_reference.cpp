@@ -18,6 +18,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/check.hpp"
 #include "tests/cases/flow_file.hpp"
 #include "tests/support/order.hpp"
 
@@ -168,10 +169,28 @@ TEST(ShippedFlow, ReferenceToAFigureThatIsNotThereNamesThoseThatAre)
 {
   auto const run =
       run_shipped("slit", {"reference.figure=friction_presure_difference", "run.end=1 ms"});
-  EXPECT_TRUE(run.assumptions.at("reference")
-                  .starts_with("none: this run has no figure friction_presure_difference; did you "
-                               "mean friction_pressure_difference? It has: speed_max, "))
+  EXPECT_TRUE(
+      run.assumptions.at("reference")
+          .starts_with(
+              "none: this run has no figure friction_presure_difference; did you "
+              "mean friction_pressure_difference? Some want a longer run. It has: speed_max, "))
       << run.assumptions.at("reference");
+}
+
+TEST(ShippedFlow, ATimeStepThatCannotBeMarchedIsRefused)
+{
+  auto const refusal = [](std::vector<std::string> const& set) -> std::string {
+    try {
+      run_shipped("slit", set);
+    } catch (core::InputError const& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal({"lattice.time_step=1 s"}).find("run.end = 0.04 s does not hold one time step"),
+            std::string::npos);
+  EXPECT_NE(refusal({"lattice.time_step=15 ms"}).find("it must be below 1: lattice.time_step < "),
+            std::string::npos);
 }
 
 }  // namespace velum::tests
