@@ -161,7 +161,6 @@ void run_coupled(Scene const& asked, RunOptions const& options)
   long const fallen = options.restart.empty() ? 0 : times_fallen(options.restart);
   Scene const scene = slower(asked, fallen), initial = initial_scene(asked, options.set);
   Derived const d = derive(scene);
-  check_time_step(scene, d);
   HydrostaticScene start = make_start(slower(initial, fallen));
   double const smagorinsky = smagorinsky_constant(scene, start.seat != nullptr);
   for (auto const& [name, sentence] : assumptions(scene, d, smagorinsky))
