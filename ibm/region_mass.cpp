@@ -1,5 +1,6 @@
 #include "ibm/region_mass.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -1,6 +1,5 @@
 #pragma once
 #include "cases/app/coupled_scene.hpp"
-#include "ibm/regions.hpp"
 
 namespace velum::cases {
 
@@ -11,7 +10,7 @@ bool is_sealed(CoupledScene<Real, ibm::Sharp> const& s)
 {
   if (s.state.chambers && ibm::passes(*s.state.chambers)) return false;
   auto const& fluid = s.state.fluid;
-  auto const regions = ibm::connected_regions(fluid, s.state.body.cells);
+  auto const& regions = s.state.body.mass.regions;
   std::vector<int> inlets, outlets;
   for (std::size_t k = 0; k < s.state.openings.size(); ++k) {
     auto const& list = s.state.openings[k].links;
