@@ -107,7 +107,8 @@ void feel(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const&
     lbm::Link const& l = body.cut_host[k];
     CutLink const& m = body.cut[k];
     core::Vec2 const c = {double(D2Q9::cx(l.dir)), double(D2Q9::cy(l.dir))};
-    double const kappa = lbm::wall_coefficient(l.dir, host(2, k), l.q), w = D2Q9::w(l.dir);
+    double const kappa = lbm::wall_coefficient(l, host(2, k), fluid.model.viscosity),
+                 w = D2Q9::w(l.dir);
     double const sum = host(0, k) + host(1, k) - kappa * thickening_along(l, m, body.surface);
     int const side = m.side == plus_side ? 0 : 1;
     double const cu = along(l, m.hit, membrane.velocity);
@@ -134,7 +135,7 @@ void impose(Sharp<Real>& body, lbm::Fluid<Real>& fluid, Eigen::VectorXd const& v
     lbm::Link const& l = body.cut_host[k];
     CutLink const& m = body.cut[k];
     double const cu = along(l, m.hit, velocity) + thickening_along(l, m, body.surface);
-    double const term = lbm::wall_coefficient(l.dir, heard(2, k), l.q) * cu;
+    double const term = lbm::wall_coefficient(l, heard(2, k), fluid.model.viscosity) * cu;
     term_host(k) = term;
     // a face that moves by u sweeps 6 w rho c.u along a link
     (m.downstream ? ledger.swept_down : ledger.swept_up) -=
@@ -207,7 +208,7 @@ void move(Sharp<Real>& body, lbm::Fluid<Real>& fluid, structure::Membrane const&
   if (update(body.cells, body.surface, body.walls))
     change_cells(body, fluid);
   else
-    recut(body);
+    recut(body, fluid);
   if (fluid.f.step % budget_period == 0) take_back(body.mass, fluid);
 }
 

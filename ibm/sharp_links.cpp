@@ -10,24 +10,21 @@ namespace {
 using lbm::D2Q9;
 
 template <class Real>
-bool same_side_behind(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir)
+void place_wall(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid, lbm::Link& l, double q)
 {
-  auto const n = lbm::neighbour(fluid, i, j, D2Q9::opposite(dir));
-  return n.i >= 0 && body.cells.at(n.i, n.j) == body.cells.at(i, j);
+  l.q = fluid.model.wall_rule == lbm::WallRule::half_way ? 0.5 : q;
+  lbm::set_stencil(fluid, l, [&](lbm::Neighbour const& n) {
+    return body.cells.at(n.i, n.j) == body.cells.at(l.i, l.j);
+  });
 }
 
 template <class Real>
 lbm::Link link(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid, int i, int j, int dir,
                double q)
 {
-  bool const half_way = fluid.model.wall_rule == lbm::WallRule::half_way;
-  lbm::Link l{i,
-              j,
-              std::int16_t(dir),
-              std::int16_t(same_side_behind(body, fluid, i, j, dir)),
-              1.0f,
-              half_way ? 0.5 : q};
+  lbm::Link l{i, j, std::int16_t(dir), lbm::Stencil::half_way, 1.0f, 0};
   l.region = body.mass.regions.of[static_cast<std::size_t>(j * body.cells.labels.nx + i)];
+  place_wall(body, fluid, l, q);
   return l;
 }
 
@@ -114,7 +111,7 @@ void round_wedges(Sharp<Real>& body, std::vector<lbm::Link>& resting)
     if (l.q != 0.5) cell(l) |= 2;
   auto const half_way = [](lbm::Link& l) {
     l.q = 0.5;
-    l.second = 0;
+    l.stencil = lbm::Stencil::half_way;
   };
   int const nx = body.cells.labels.nx, ny = body.cells.labels.ny;
   auto const in_wedge = [&](lbm::Link const& l) {
@@ -198,12 +195,12 @@ void rebuild_links(Sharp<Real>& body, lbm::Fluid<Real>& fluid)
 }
 
 template <class Real>
-void recut(Sharp<Real>& body)
+void recut(Sharp<Real>& body, lbm::Fluid<Real> const& fluid)
 {
   for (std::size_t k = 0; k < body.cut.size(); ++k) {
     lbm::Link& l = body.cut_host[k];
     body.cut[k].hit = find_hit(body, l.i, l.j, l.dir);
-    if (!body.cut[k].half_way) l.q = body.cut[k].hit.q;
+    if (!body.cut[k].half_way) place_wall(body, fluid, l, body.cut[k].hit.q);
   }
   upload_cuts(body);
 }
@@ -238,8 +235,8 @@ double seat_crossing(Sharp<Real> const& body, lbm::Fluid<Real> const& fluid)
 
 template void rebuild_links(Sharp<float>&, lbm::Fluid<float>&);
 template void rebuild_links(Sharp<double>&, lbm::Fluid<double>&);
-template void recut(Sharp<float>&);
-template void recut(Sharp<double>&);
+template void recut(Sharp<float>&, lbm::Fluid<float> const&);
+template void recut(Sharp<double>&, lbm::Fluid<double> const&);
 template double seat_crossing(Sharp<float> const&, lbm::Fluid<float> const&);
 template double seat_crossing(Sharp<double> const&, lbm::Fluid<double> const&);
 

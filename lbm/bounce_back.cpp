@@ -17,7 +17,7 @@ double bounce_back(Fluid<Real, L, Stored>& fluid, LinkList const& list, core::Ve
         int const cell = to.cell(l.i, l.j, l.k);
         auto const heard = echo(to, cell, l);
         double const cu = l.weight * along<L>(l.dir, u_wall);
-        Real const back = heard.back - Real(wall_coefficient<L>(l.dir, 1, l.q) * cu);
+        Real const back = heard.back - Real(wall_coefficient<L>(l, 1, to.model.viscosity) * cu);
         to.f.set_arriving(L::opposite(l.dir), cell, back);
         sum +=
             link_ring<L>(to.symmetry, to.origin[1] + l.j + 0.5, l.dir) * double(back - heard.out);

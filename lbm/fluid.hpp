@@ -13,14 +13,22 @@ namespace velum::lbm {
 
 enum class Collision { bgk, trt, recursive_regularised, central_moments, cumulant };
 
-/// Where a wall reflects: at its true distance along each link (lbm/link.hpp), or half-way along it
-/// wherever it is, a staircase of first order.
-enum class WallRule { interpolated, half_way };
+/// Where a wall reflects: at its true distance along each link, found by a parabola through three
+/// populations or a line through two (lbm/link.hpp), or half-way along it wherever it is, a
+/// staircase of first order.
+enum class WallRule { quadratic, linear, half_way };
 
 /// Whether a collision is defined on a lattice of so many directions: cumulants need D3Q27.
 constexpr bool is_defined(Collision collision, int directions)
 {
   return collision != Collision::cumulant || directions == 27;
+}
+
+/// Whether walls can take a rule with a collision: parabolas want odd moments that relax by their
+/// product with the viscosity and even ones at rate 1 (lbm/link.hpp).
+constexpr bool is_defined(Collision collision, WallRule rule)
+{
+  return rule != WallRule::quadratic || collision == Collision::central_moments;
 }
 
 /// Speed, as a cell Reynolds number |u| dx / nu, at which the odd moments of central moments go
@@ -38,7 +46,7 @@ struct Model {
   bool periodic_x = false, periodic_y = false, periodic_z = false;
   unsigned mirrors = 0;      // sides of the box that are planes of symmetry: bit of mirror()
   double storage_range = 4;  // of 16-bit storage: largest |f_i - w_i| / w_i
-  WallRule wall_rule = WallRule::interpolated;
+  WallRule wall_rule = WallRule::quadratic;
 
   /// Relaxation rate of the shear moments, 1 / (3 nu + 1/2).
   KOKKOS_FUNCTION double omega() const { return 1 / (3 * viscosity + 0.5); }

@@ -54,6 +54,25 @@ Neighbour neighbour(Fluid<Real, L, Stored> const& fluid, int i, int j, int dir, 
 }
 
 template <class Real, class L, class Stored>
+Behind behind(Fluid<Real, L, Stored> const& fluid, Neighbour const& cell, int dir)
+{
+  int const against = L::opposite(dir);
+  int const at[] = {cell.i, cell.j, cell.k}, size[] = {fluid.nx, fluid.ny, fluid.nz};
+  int turned[3] = {};
+  for (int a = 0; a < L::D; ++a) {
+    int const next = at[a] + L::c(against, a);
+    bool const image = (next < 0 || next >= size[a]) && !fluid.model.periodic(a);
+    turned[a] = image ? -L::c(dir, a) : L::c(dir, a);
+  }
+  int there = 0;
+  for (int d = 0; d < L::Q; ++d)
+    if (L::c(d, 0) == turned[0] && L::c(d, 1) == turned[1] &&
+        (L::D == 2 || L::c(d, L::D - 1) == turned[2]))
+      there = d;
+  return {neighbour(fluid, cell.i, cell.j, against, cell.k), there};
+}
+
+template <class Real, class L, class Stored>
 Walls find_walls(Fluid<Real, L, Stored> const& fluid,
                  std::type_identity_t<core::SignedDistance<L::D>> const& solids)
 {
@@ -116,14 +135,15 @@ template <class Real, class L, class Stored>
 Link link_at(Fluid<Real, L, Stored> const& fluid, Walls const& walls, WallHit const& hit,
              double weight)
 {
-  Neighbour const behind = neighbour(fluid, hit.i, hit.j, L::opposite(hit.dir), hit.k);
-  bool const second = behind.i >= 0 && !walls.is_solid(behind.i, behind.j, behind.k);
   double const q = fluid.model.wall_rule == WallRule::half_way ? 0.5 : hit.q;
-  return {hit.i, hit.j, std::int16_t(hit.dir), std::int16_t(second), float(weight), q, hit.k};
+  Link l{hit.i, hit.j, std::int16_t(hit.dir), Stencil::half_way, float(weight), q, hit.k};
+  set_stencil(fluid, l, [&](Neighbour const& n) { return !walls.is_solid(n.i, n.j, n.k); });
+  return l;
 }
 
 #define VELUM_INSTANTIATE(Real, L, Stored)                                                     \
   template Neighbour neighbour(Fluid<Real, L, Stored> const&, int, int, int, int);             \
+  template Behind behind(Fluid<Real, L, Stored> const&, Neighbour const&, int);                \
   template Walls find_walls(Fluid<Real, L, Stored> const&, core::SignedDistance<L::D> const&); \
   template void deactivate_solids(Fluid<Real, L, Stored>&, Walls const&);                      \
   template Link link_at(Fluid<Real, L, Stored> const&, Walls const&, WallHit const&, double);

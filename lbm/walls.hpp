@@ -56,8 +56,46 @@ struct Neighbour {
 template <class Real, class L, class Stored>
 Neighbour neighbour(Fluid<Real, L, Stored> const& fluid, int i, int j, int dir, int k = 0);
 
-/// The link of a wall hit, by the model's wall rule; its second cell is the one behind, where that
-/// is fluid.
+/// Viscosity up to which a parabola is taken where only one cell is behind (lbm/link.hpp).
+inline constexpr double narrow_parabola_up_to = 0.05;
+
+/// The cell behind, one step against dir, and the direction that dir has there: its mirror image
+/// beyond a plane of symmetry or the axis.
+struct Behind {
+  Neighbour cell;
+  int dir;
+};
+template <class Real, class L, class Stored>
+Behind behind(Fluid<Real, L, Stored> const& fluid, Neighbour const& cell, int dir);
+
+/// Sets what the wall at the distance l.q along a link reflects from (lbm/link.hpp): the model's
+/// rule, less where a cell behind is missing. A line beyond the middle of the link needs none of
+/// them, short of it one, a parabola two, or one. A parabola that is not defined with the collision
+/// is a line. With nothing but the side of the box behind it the wall is half-way: its mirror image
+/// may belong to an opening, and what a wall sends back of the velocity along it has to cancel.
+/// @param same  whether a neighbour is fluid of the link's own side
+template <class Real, class L, class Stored, class Same>
+void set_stencil(Fluid<Real, L, Stored> const& fluid, Link& l, Same const& same)
+{
+  Model const& model = fluid.model;
+  l.stencil = Stencil::half_way;
+  if (model.wall_rule == WallRule::half_way || l.q == 0.5) return;
+  Behind const one = behind(fluid, {l.i, l.j, l.k}, l.dir);
+  if (one.cell.i < 0 || (l.q < 0.5 && !same(one.cell))) return;
+  l.stencil = Stencil::line;
+  if (!same(one.cell) || model.wall_rule == WallRule::linear ||
+      !is_defined(model.collision, model.wall_rule))
+    return;
+  Behind const two = behind(fluid, one.cell, one.dir);
+  bool const wide = two.cell.i >= 0 && same(two.cell);
+  if (!wide && model.viscosity > narrow_parabola_up_to) return;
+  l.stencil = wide ? Stencil::parabola : Stencil::narrow_parabola;
+  Neighbour const& far = wide ? two.cell : one.cell;
+  l.far = fluid.cell(far.i, far.j, far.k);
+  l.far_dir = wide ? two.dir : L::opposite(one.dir);
+}
+
+/// The link of a wall hit, by the model's wall rule.
 template <class Real, class L, class Stored>
 Link link_at(Fluid<Real, L, Stored> const& fluid, Walls const& walls, WallHit const& hit,
              double weight = 1);

@@ -95,8 +95,9 @@ core::Assumptions assumptions(Scene const& scene, Derived const& d, double smago
         "the lattice fluid is {:.3g} % denser under {:.4g} kPa (sound speed {:.4g} m/s)",
         100 * d.density_jump, d.pressure / 1e3, d.sound_speed);
     a["collision"] =
-        fmt::format("{} on {}, tau - 1/2 = {:.3g}, {} precision", word(scene.lattice.collision),
-                    word(scene.lattice.stencil), d.tau_minus_half, word(scene.lattice.precision));
+        fmt::format("{} on {}, {} walls, tau - 1/2 = {:.3g}, {} precision",
+                    word(scene.lattice.collision), word(scene.lattice.stencil),
+                    word(scene.lattice.wall_rule), d.tau_minus_half, word(scene.lattice.precision));
     a["les"] = les_in_words(scene, smagorinsky);
     if (scene.membrane)
       a["gap"] = scene.gap.cells > 0

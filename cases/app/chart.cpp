@@ -46,7 +46,10 @@ std::vector<ChartPoint> chart_points(Scene const& scene, bool quick)
     for (auto const& [collision_name, collision] : words(Collision{}))
       for (auto const& [rule_name, rule] : words(lbm::WallRule{}))
         for (auto const& [precision_name, precision] : words(Precision{})) {
-          bool const usual = rule == scene.lattice.wall_rule;
+          if (!lbm::is_defined(collision, rule)) continue;
+          bool const usual =
+              rule == (lbm::is_defined(collision, scene.lattice.wall_rule) ? scene.lattice.wall_rule
+                                                                           : lbm::WallRule::linear);
           if (!usual && (scene.solids.empty() || precision != Precision::double_)) continue;
           if (scene.membrane && precision == Precision::half) continue;
           if (lbm::is_defined(collision, directions(scene.lattice.stencil)))

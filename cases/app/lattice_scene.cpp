@@ -122,7 +122,7 @@ bool place(Scene const& scene, Boundary const& boundary, Patch const& patch,
     lbm::WallHit const& h = s.walls.hits[k];
     if (taken[k] || !takes<lbm::Fluid<Real, L, Stored>, L>(placed, h, s.fluid)) continue;
     taken[k] = 1;
-    links.push_back({h.i, h.j, std::int16_t(h.dir), 0, 1.0f, h.q, h.k});
+    links.push_back({h.i, h.j, std::int16_t(h.dir), lbm::Stencil::half_way, 1.0f, h.q, h.k});
     at.push_back(place_on(placed, h.at));
   }
   if (links.empty()) return false;

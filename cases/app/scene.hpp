@@ -58,7 +58,7 @@ struct Lattice {
   std::optional<double> time_step{};  // replaces mach
   Collision collision = Collision::central_moments;
   double magic = 0.125;  // of TRT, and of central moments where the fluid is slow
-  lbm::WallRule wall_rule = lbm::WallRule::interpolated;
+  lbm::WallRule wall_rule = lbm::WallRule::quadratic;
   Precision precision = Precision::double_;
   Vec3 shift{};  // of the grid against the geometry
   std::array<bool, 3> periodic{};

@@ -32,7 +32,14 @@ Lattice read_lattice(SceneTable table)
   lattice.time_step = table.quantity_or_auto("time_step", Dimension::time);
   lattice.collision = table.choice<Collision>("collision", lattice.collision);
   lattice.magic = table.number("magic", lattice.magic);
+  if (!lbm::is_defined(lattice.collision, lattice.wall_rule))
+    lattice.wall_rule = lbm::WallRule::linear;
   lattice.wall_rule = table.choice<lbm::WallRule>("wall_rule", lattice.wall_rule);
+  if (!lbm::is_defined(lattice.collision, lattice.wall_rule))
+    table.fail("wall_rule",
+               fmt::format("= \"quadratic\" needs collision = \"central_moments\", but "
+                           "it is \"{}\"; \"linear\" and \"half_way\" go with all.",
+                           word(lattice.collision)));
   lattice.precision = table.choice<Precision>("precision", lattice.precision);
   lattice.shift = table.point("shift", lattice.shift);
   if (table.has("periodic"))

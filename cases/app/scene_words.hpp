@@ -33,7 +33,9 @@ inline Words<Collision> words(Collision)
 }
 inline Words<lbm::WallRule> words(lbm::WallRule)
 {
-  return {{"interpolated", lbm::WallRule::interpolated}, {"half_way", lbm::WallRule::half_way}};
+  return {{"quadratic", lbm::WallRule::quadratic},
+          {"linear", lbm::WallRule::linear},
+          {"half_way", lbm::WallRule::half_way}};
 }
 inline Words<structure::FitModel> words(structure::FitModel)
 {

@@ -32,12 +32,12 @@ def draw_panel(axes, scene: str, rows: list[dict[str, str]], colours: dict[str, 
             (float(row["wall_time [s]"]), float(row["error"])))
     for (collision, wall_rule, precision), points in lines.items():
         single = precision != "double"
-        half_way = wall_rule == "half_way"
+        marker = {"half_way": "x", "linear": "+"}.get(wall_rule, MARKERS.get(precision, "^"))
         axes.loglog(*zip(*points), color=colours[collision], linewidth=1,
-                    marker="x" if half_way else MARKERS.get(precision, "^"), markersize=4,
+                    marker=marker, markersize=5 if marker in "x+" else 4,
                     markerfacecolor="white" if single else colours[collision],
-                    linestyle=":" if half_way else "--" if single else "-",
-                    label=f"{collision}, {'half-way walls' if half_way else precision}")
+                    linestyle=":" if wall_rule == "half_way" else "--" if single else "-",
+                    label=f"{collision}, {wall_rule.replace('_', '-')} walls, {precision}")
     front = pareto([point for points in lines.values() for point in points])
     if front:
         axes.step(*zip(*front), where="post", color="#bbbbbb", linewidth=4, zorder=0,

@@ -31,7 +31,7 @@ TEST(Chart, HasARowForEveryWayAndMarksTheDefault)
   auto const table = read(out.path / "chart.csv");
   EXPECT_EQ(lines(table), 1 + 2 * 4 * 3) << table;
   EXPECT_NE(run.text.find("(default)"), std::string::npos) << run.text;
-  EXPECT_NE(table.find("taylor_green,0.0625,central_moments,interpolated,double,"),
+  EXPECT_NE(table.find("taylor_green,0.0625,central_moments,quadratic,double,"),
             std::string::npos)
       << table;
 }
@@ -51,10 +51,10 @@ TEST(Chart, ADivergenceIsARow)
                                         "lattice.mach=0.9", "run.end=0.1 s"});
   auto const row = cases::measure(
       scene,
-      {1.0 / 32, cases::Collision::bgk, lbm::WallRule::interpolated, cases::Precision::double_},
+      {1.0 / 32, cases::Collision::bgk, lbm::WallRule::quadratic, cases::Precision::double_},
       {});
   EXPECT_TRUE(row.outcome.starts_with("Diverged at step")) << row.outcome;
-  EXPECT_NE(cases::csv({row}).find(",bgk,interpolated,double,,,,error_l2,,0,\"Diverged at step"),
+  EXPECT_NE(cases::csv({row}).find(",bgk,quadratic,double,,,,error_l2,,0,\"Diverged at step"),
             std::string::npos)
       << cases::csv({row});
 }

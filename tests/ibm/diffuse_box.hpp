@@ -21,7 +21,7 @@ inline DiffuseScene make_diffuse_box(PistonSpec const& spec)
   std::vector<lbm::Link> open;
   for (lbm::WallHit const& h : sharp.body.wall_hits) {
     if (spec.open && lbm::D2Q9::cx(h.dir) == 1 && h.i == spec.nx - 1)
-      open.push_back({h.i, h.j, std::int16_t(h.dir), 0, 1.0f, h.q});
+      open.push_back({h.i, h.j, std::int16_t(h.dir), lbm::Stencil::half_way, 1.0f, h.q});
     else
       rest.push_back(h);
   }

@@ -72,6 +72,7 @@ void equals_two_lattices()
   for (lbm::WallHit const& h : walls.hits) {
     links.push_back(lbm::link_at(fluid, walls, h));
     links.back().q = 0.5;
+    links.back().stencil = lbm::Stencil::half_way;
   }
   lbm::LinkList list;
   lbm::upload(list, links);

@@ -5,15 +5,18 @@
 //            mass
 // measure:   the largest modulus of an eigenvalue of the program's own step about rest, by the
 //            method of Arnoldi on 200 steps at once (tests/support/growth.hpp)
-// tolerance: 1e-9 a step in the plane and about the axis, 1e-7 in space, where a sphere's many
-//            slow modes lie closer together than the iteration tells apart (residual 1e-5 over 200
-//            steps); collisions that are not offered as stable grow by more than 1e-4
+// tolerance: 1e-9 a step in the plane and about the axis, 1e-7 in space, and what the residual of
+//            the eigenvector leaves open, at most 2e-6 a step: at tau - 1/2 = 1e-5 many
+//            modes hardly decay and lie closer together than the iteration tells apart (2000 steps
+//            at once in place of 200 bring a modulus of 1 + 6e-7 to 1 + 7e-10);
+//            collisions that are not offered as stable grow by more than 1e-4
 // why:       what grows at all grows by 1e-5 to 1e-2 a step: waves in the row along a wall nearer
 //            to it than 0.003 cells where the odd moments relax at rate 1, waves along the axis
 //            where the pressure is that of the density, curved walls in space. Long boxes show
 //            them, short ones do not
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -49,7 +52,13 @@ tests::Growth around_sphere(Collision collision, double d)
   return tests::growth(flow, 200, 20);
 }
 
-constexpr double places[] = {1e-9, 1e-3, 0.3, 0.8};
+void expect_no_growth(tests::Growth const& growth, double tolerance, double d, double q)
+{
+  EXPECT_LE(growth.per_step, 1 + tolerance + std::min(growth.unsure, 2e-6))
+      << "tau - 1/2 " << d << " q " << q;
+}
+
+constexpr double places[] = {1e-9, 1e-3, 0.3, 0.8, 1};
 
 class StillWater : public testing::TestWithParam<Collision> {};
 
@@ -57,16 +66,14 @@ TEST_P(StillWater, StaysStillInThePlane)
 {
   for (double d : {1e-5, 1e-2})
     for (double q : places)
-      EXPECT_LE(in_box(GetParam(), core::Symmetry::planar, d, q).per_step, 1 + round_off)
-          << "tau - 1/2 " << d << " q " << q;
+      expect_no_growth(in_box(GetParam(), core::Symmetry::planar, d, q), round_off, d, q);
 }
 
 TEST_P(StillWater, StaysStillAboutAnAxis)
 {
   for (double d : {1e-5, 1e-2})
     for (double q : places)
-      EXPECT_LE(in_box(GetParam(), core::Symmetry::axisymmetric, d, q).per_step, 1 + round_off)
-          << "tau - 1/2 " << d << " q " << q;
+      expect_no_growth(in_box(GetParam(), core::Symmetry::axisymmetric, d, q), round_off, d, q);
 }
 
 class LongStillWater : public testing::TestWithParam<Collision> {};
@@ -74,8 +81,8 @@ class LongStillWater : public testing::TestWithParam<Collision> {};
 TEST_P(LongStillWater, StaysStillAroundASphere)
 {
   for (double d : {1.5e-5, 1e-2}) {
-    EXPECT_LE(around_sphere<lbm::D3Q19>(GetParam(), d).per_step, 1 + 1e-7) << d;
-    EXPECT_LE(around_sphere<lbm::D3Q27>(GetParam(), d).per_step, 1 + 1e-7) << d;
+    expect_no_growth(around_sphere<lbm::D3Q19>(GetParam(), d), 1e-7, d, 0);
+    expect_no_growth(around_sphere<lbm::D3Q27>(GetParam(), d), 1e-7, d, 0);
   }
 }
 

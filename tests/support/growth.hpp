@@ -19,6 +19,7 @@ constexpr double small_departure = 1e-5;
 struct Growth {
   double per_step;  // largest modulus of an eigenvalue of one step
   double residual;  // of its eigenvector, over `steps` steps; relative
+  double unsure;    // what the residual leaves open of per_step: residual / steps
 };
 
 /// Largest eigenvalue of a step by Arnoldi's method (W. E. Arnoldi, Q. Appl. Math. 9 (1951) 17) on
@@ -32,7 +33,7 @@ inline Growth growth(Advance const& advance, Eigen::Index size, int steps, int r
   std::mt19937 engine(7);
   std::normal_distribution<double> normal;
   Eigen::VectorXd start = Eigen::VectorXd::NullaryExpr(size, [&] { return normal(engine); });
-  Growth found{0, 1};
+  Growth found{0, 1, 1};
   start = advance(advance(start));  // what decays at once is gone
   for (int round = 0; round < rounds; ++round) {
     Eigen::MatrixXd basis(size, vectors + 1);
@@ -56,7 +57,8 @@ inline Growth growth(Advance const& advance, Eigen::Index size, int steps, int r
     Eigen::Index leading = 0;
     double const modulus = solver.eigenvalues().cwiseAbs().maxCoeff(&leading);
     Eigen::VectorXcd const y = solver.eigenvectors().col(leading);
-    found = {std::pow(modulus, 1.0 / steps), std::abs(y[used - 1]) * h(used, used - 1) / modulus};
+    double const residual = std::abs(y[used - 1]) * h(used, used - 1) / modulus;
+    found = {std::pow(modulus, 1.0 / steps), residual, residual / steps};
     if (found.residual < 1e-5) break;
     start = basis.leftCols(used) * (y.real() + y.imag());
   }

@@ -58,7 +58,7 @@ SharpSceneOf<Real> make_piston(PistonSpec const& spec)
   for (lbm::WallHit const& h : walls.hits) {
     bool const left = lbm::D2Q9::cx(h.dir) == -1 && h.i == 0;
     if (left && spec.open)
-      open.push_back({h.i, h.j, std::int16_t(h.dir), 0, 1.0f, h.q});
+      open.push_back({h.i, h.j, std::int16_t(h.dir), lbm::Stencil::half_way, 1.0f, h.q});
     else
       rest.push_back(h);
   }
