@@ -4,11 +4,11 @@
 // reference: a closed box feeds no motion: no eigenvalue of a step is larger than 1, that of the
 //            mass
 // measure:   the largest modulus of an eigenvalue of the program's own step about rest, by the
-//            method of Arnoldi on 200 steps at once (tests/support/growth.hpp)
+//            method of Arnoldi on 600 steps at once, 200 in space (tests/support/growth.hpp)
 // tolerance: 1e-9 a step in the plane and about the axis, 1e-7 in space, and what the residual of
 //            the eigenvector leaves open, at most 2e-6 a step: at tau - 1/2 = 1e-5 many
-//            modes hardly decay and lie closer together than the iteration tells apart (2000 steps
-//            at once in place of 200 bring a modulus of 1 + 6e-7 to 1 + 7e-10);
+//            modes hardly decay and lie closer together than the iteration tells apart (of 1 + 6e-7 by 200
+//            steps at once 2000 leave 1 + 7e-10);
 //            collisions that are not offered as stable grow by more than 1e-4
 // why:       what grows at all grows by 1e-5 to 1e-2 a step: waves in the row along a wall nearer
 //            to it than 0.003 cells where the odd moments relax at rate 1, waves along the axis
@@ -33,11 +33,11 @@ constexpr double round_off = 1e-9;
 
 tests::Growth in_box(Collision collision, core::Symmetry symmetry, double d, double q)
 {
-  int const nx = 60, ny = 40;
+  int const nx = 60, ny = 24;
   auto flow = tests::make_flow(
       lbm::make_fluid<double>(nx, ny, {0, 0}, symmetry, lbm::Model{collision, d / 3}),
       core::box({-100, ny - 1.5 + q}, {1000, 1000}), [](lbm::WallHit const&) { return -1; });
-  return tests::growth(flow);
+  return tests::growth(flow, 600);
 }
 
 template <class L>
@@ -54,11 +54,11 @@ tests::Growth around_sphere(Collision collision, double d)
 
 void expect_no_growth(tests::Growth const& growth, double tolerance, double d, double q)
 {
-  EXPECT_LE(growth.per_step, 1 + tolerance + std::min(growth.unsure, 2e-6))
+  EXPECT_LE(growth.per_step - 1, tolerance + std::min(growth.unsure, 2e-6))
       << "tau - 1/2 " << d << " q " << q;
 }
 
-constexpr double places[] = {1e-9, 1e-3, 0.3, 0.8, 1};
+constexpr double places[] = {1e-9, 0.3, 0.8, 1};
 
 class StillWater : public testing::TestWithParam<Collision> {};
 
