@@ -59,10 +59,11 @@ KOKKOS_FORCEINLINE_FUNCTION WallShares wall_shares(Stencil stencil, double q, do
                                                    double slow = 1)
 {
   if (stencil < Stencil::parabola) return {2 * q, 0};
-  double const d = 3 * viscosity, way = stencil == Stencil::parabola ? d : -d;
-  double const sign = q < 0.5 ? 1 : -1, third = 1.0 / 3;
-  double const bend =
-      (q - 0.5) * (q + 0.5 + sign * 4 * third * d) / (1 + way - sign * 2 * third * d);
+  double const d = 4 * viscosity;  // 4/3 (tau - 1/2)
+  bool const outwards = q < 0.5, wide = stencil == Stencil::parabola;
+  double bend = (q - 0.5) * (outwards ? q + 0.5 + d : q + 0.5 - d);
+  if (wide && !outwards) bend /= 1 + d;
+  if (!wide && outwards) bend /= 1 - d;
   return {2 * q + slow * bend, slow * bend};
 }
 
@@ -109,12 +110,14 @@ struct Echo {
 /// of the lattice at  u + q u' + 2/3 Lambda u'' = 0  whatever q is: 10 % more or less friction in a
 /// gap of 4.5 cells. The parabola, velum's own,
 ///   D = 2q + B,   bend = f(x - 2c) - f(x - c),   or in narrow gaps b(x) - b(x - c),
-///   B (1 +- d - 2/3 d) = (q - 1/2) (q + 1/2 + 4/3 d)   for q < 1/2,
-///   B (1 +- d + 2/3 d) = (q - 1/2) (q + 1/2 - 4/3 d)   for q >= 1/2,
-/// with + d in wide gaps and - d in narrow ones, holds it at  u + q u' + (q^2/2 - 1/24) u'' = 0 at
-/// Lambda = 1/8, at any d: no slip of a parabola whose mean over each cell is u. All are found by
-/// inserting a parabola and its stresses into the rule; both bends do that, but the one of narrow
-/// gaps feeds waves along a wall with q > 1/2 at tau -> 1/2 and loses its meaning where d nears 1.
+///   B = (q - 1/2) (q + 1/2 + 4/3 d)               for q < 1/2, in narrow gaps over 1 - 4/3 d,
+///   B = (q - 1/2) (q + 1/2 - 4/3 d) / (1 + 4/3 d) for q >= 1/2, in narrow gaps without the
+///   divisor,
+/// holds it at  u + q u' + (q^2/2 - 1/24) u'' = 0 at Lambda = 1/8, at any d: no slip of a parabola
+/// whose mean over each cell is u, where a pressure drives it (a body force: but for a term of the
+/// order (q - 1/2) d u''). All are found by inserting the parabola, its stresses and its pressure
+/// into the rule; both bends do that, but the one of narrow gaps feeds waves along a wall with
+/// q > 1/2 at tau -> 1/2 and loses its meaning where d nears 3/4.
 ///
 /// Where the odd moments of the fluid relax at rate 1, waves grow along a wall with a bend at
 /// q < 1/2, and along one very near: there the bend goes, and the wall is at no less than
