@@ -43,7 +43,7 @@ struct CentralMoment {
                                __attribute__((always_inline)) { u2 += site.u[a] * site.u[a]; });
     auto u_in = site.u;
     if constexpr (Site::has_sources) u_in -= (Real(0.5) / (1 + site.rho)) * site.S;
-    keep_odd_moments(in, out, u_in, odd(u2));
+    keep_odd_moments(in, out, u_in, L::D == 2 ? odd.quick(u2) : odd(u2));
   }
 
   template <Lattice L, class Site>
