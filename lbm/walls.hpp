@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -79,7 +80,7 @@ void set_stencil(Fluid<Real, L, Stored> const& fluid, Link& l, Same const& same)
 {
   Model const& model = fluid.model;
   l.stencil = Stencil::half_way;
-  if (model.wall_rule == WallRule::half_way || l.q == 0.5) return;
+  if (model.wall_rule == WallRule::half_way || std::abs(l.q - 0.5) < 1e-9) return;
   Behind const one = behind(fluid, {l.i, l.j, l.k}, l.dir);
   if (one.cell.i < 0 || (l.q < 0.5 && !same(one.cell))) return;
   l.stencil = Stencil::line;
