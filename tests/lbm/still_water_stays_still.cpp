@@ -58,7 +58,7 @@ void expect_no_growth(tests::Growth const& growth, double tolerance, double d, d
       << "tau - 1/2 " << d << " q " << q;
 }
 
-constexpr double places[] = {1e-9, 0.3, 0.8, 1};
+constexpr double places[] = {1e-9, 1e-3, 0.3, 0.8, 1};
 
 class StillWater : public testing::TestWithParam<Collision> {};
 
