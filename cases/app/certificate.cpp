@@ -11,6 +11,12 @@ namespace {
 double upstream(Measurement const& m) { return std::min(m.pressure_above, m.pressure_outside); }
 double jump(Measurement const& m) { return upstream(m) - m.pressure_inside; }
 
+/// Of the settled state and, where there is one, of the shut one.
+double spurious_velocity(Certificate const& c)
+{
+  return c.has_shut ? std::max(c.settled.speed_max, c.shut.speed_max) : c.settled.speed_max;
+}
+
 /// Mean rates over the window before the settled state, m3/s.
 struct Leak {
   double total;  // outflow less what the membrane swept and the fluid stored
@@ -67,7 +73,7 @@ std::vector<core::Figure> figures(Certificate const& c)
       {"centre_deflection_hydrostatic", c.centre_start - c.centre_hydrostatic, "m"},
       {"stretch_max", c.stretch_max, "1"},
       {"volume_residual", volume_residual(c), "1"},
-      {"spurious_velocity", c.settled.speed_max, "m/s"},
+      {"spurious_velocity", spurious_velocity(c), "m/s"},
       {"speed_max", c.speed_max, "m/s"},
       {"mach_max", c.mach_max, "1"},
       {"eddy_viscosity_mean", c.eddy_mean, "m2/s"},
@@ -92,31 +98,40 @@ std::string certificate_text(Certificate const& c)
   double const deflection = c.centre_start - c.settled.centre;
   double const hydrostatic = c.centre_start - c.centre_hydrostatic;
   double const litres_per_hour = 3.6e6;
-  std::string t = fmt::format("Certificate of the closed valve at {:.4g} kPa\n", c.inlet / 1e3);
+  bool const holds = p != 0;  // else no pressure is held, and shares of it say nothing
+  std::string t =
+      holds ? fmt::format("Certificate of the closed valve at {:.4g} kPa\n", c.inlet / 1e3)
+            : "Membrane in water, no pressure held\n";
   auto const row = [&](std::string const& name, std::string const& value) {
     t += fmt::format("  {:<34} {}\n", name, value);
   };
-  row("pressure upstream", fmt::format("{:.3f} % of p_in", 100 * upstream(c.settled) / c.inlet));
-  row("pressure downstream",
-      fmt::format("{:.3f} % of p_in", 100 * c.settled.pressure_inside / c.inlet));
-  row("jump held, inlet feeding", fmt::format("{:.3f} %", 100 * jump(c.settled) / p));
-  if (c.has_shut)
-    row("jump held, inlet shut",
-        fmt::format("{:.3f} % at its least, {:.0f} ms after shutting", 100 * c.least_jump_shut / p,
-                    1e3 * (c.shut.time - c.settled.time)));
-  row("path from inlet to outlet", c.settled.sealed ? "none: sealed" : "open");
-  row("leak through the seat", fmt::format("{:.3g} l/h", litres_per_hour * l.seat));
-  row("leak through the membrane", fmt::format("{:.3g} l/h", litres_per_hour * l.membrane));
-  row("leak, share of 200 l/h", fmt::format("{:.2g}", (l.seat + l.membrane) / open_flow));
-  row("leak by outflow and balance", fmt::format("{:.3g} l/h", litres_per_hour * l.total));
-  row("penetration at the seat", fmt::format("{:.3g} um", 1e6 * c.penetration_max));
-  row("seat force", fmt::format("{:.4g} N", c.settled.seat_force));
+  auto const share = [](double part, double of) {
+    return of != 0 ? fmt::format(" ({:+.2f} %)", 100 * (part / of - 1)) : "";
+  };
+  if (holds) {
+    row("pressure upstream", fmt::format("{:.3f} % of p_in", 100 * upstream(c.settled) / c.inlet));
+    row("pressure downstream",
+        fmt::format("{:.3f} % of p_in", 100 * c.settled.pressure_inside / c.inlet));
+    row("jump held, inlet feeding", fmt::format("{:.3f} %", 100 * jump(c.settled) / p));
+    if (c.has_shut)
+      row("jump held, inlet shut",
+          fmt::format("{:.3f} % at its least, {:.0f} ms after shutting",
+                      100 * c.least_jump_shut / p, 1e3 * (c.shut.time - c.settled.time)));
+    row("path from inlet to outlet", c.settled.sealed ? "none: sealed" : "open");
+    row("leak through the seat", fmt::format("{:.3g} l/h", litres_per_hour * l.seat));
+    row("leak through the membrane", fmt::format("{:.3g} l/h", litres_per_hour * l.membrane));
+    row("leak, share of 200 l/h", fmt::format("{:.2g}", (l.seat + l.membrane) / open_flow));
+    row("leak by outflow and balance", fmt::format("{:.3g} l/h", litres_per_hour * l.total));
+    row("penetration at the seat", fmt::format("{:.3g} um", 1e6 * c.penetration_max));
+    row("seat force", fmt::format("{:.4g} N", c.settled.seat_force));
+  }
   row("centre deflection", fmt::format("{:.4f} mm", 1e3 * deflection));
-  row("centre deflection, hydrostatic", fmt::format("{:.4f} mm ({:+.2f} %)", 1e3 * hydrostatic,
-                                                    100 * (deflection / hydrostatic - 1)));
+  row("centre deflection, hydrostatic",
+      fmt::format("{:.4f} mm{}", 1e3 * hydrostatic, share(deflection, hydrostatic)));
   row("largest stretch of the membrane", fmt::format("{:.4f}", c.stretch_max));
   row("volume balance residual", fmt::format("{:.2g} of the chamber", volume_residual(c)));
-  row("largest spurious velocity", fmt::format("{:.3g} mm/s", 1e3 * c.settled.speed_max));
+  row(holds ? "largest spurious velocity" : "largest velocity at the end",
+      fmt::format("{:.3g} mm/s", 1e3 * spurious_velocity(c)));
   row("largest Mach number", fmt::format("{:.3g}", c.mach_max));
   row("wall time", fmt::format("{:.1f} s, {:.0f} MLUPS, {:.1f} % of it the membrane's steps",
                                c.wall_time, c.mlups, 100 * c.membrane_share));
