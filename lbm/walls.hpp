@@ -72,7 +72,8 @@ Behind behind(Fluid<Real, L, Stored> const& fluid, Neighbour const& cell, int di
 /// Sets what the wall at the distance l.q along a link reflects from (lbm/link.hpp): the model's
 /// rule, less where a cell behind is missing. A line beyond the middle of the link needs none of
 /// them, short of it one, a parabola two, or one. A parabola that is not defined with the collision
-/// is a line. With nothing but the side of the box behind it the wall is half-way: its mirror image
+/// is a line; so is one in a bore a single row of cells in radius, which would feed itself through
+/// the axis. With nothing but the side of the box behind it the wall is half-way: its mirror image
 /// may belong to an opening, and what a wall sends back of the velocity along it has to cancel.
 /// @param same  whether a neighbour is fluid of the link's own side
 template <class Real, class L, class Stored, class Same>
@@ -84,7 +85,8 @@ void set_stencil(Fluid<Real, L, Stored> const& fluid, Link& l, Same const& same)
   Behind const one = behind(fluid, {l.i, l.j, l.k}, l.dir);
   if (one.cell.i < 0 || (l.q < 0.5 && !same(one.cell))) return;
   l.stencil = Stencil::line;
-  if (!same(one.cell) || model.wall_rule == WallRule::linear ||
+  bool const through_axis = fluid.has_axis() && l.j == 0 && L::c(l.dir, 1) > 0;
+  if (through_axis || !same(one.cell) || model.wall_rule == WallRule::linear ||
       !is_defined(model.collision, model.wall_rule))
     return;
   Behind const two = behind(fluid, one.cell, one.dir);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cases/app/geometry.hpp"
+#include "cases/app/open_area.hpp"
 #include "cases/app/velocity_profile.hpp"
 #include "lbm/eddy_share.hpp"
 #include "lbm/formats.hpp"
@@ -144,6 +145,12 @@ bool place(Scene const& scene, Boundary const& boundary, Patch const& patch,
   opening.opening.kind = opening_kind(boundary.kind);
   opening.opening.normal = normal_of<L>(placed, links);
   shape_velocity(s.fluid, boundary.profile, placed.range, at, opening.opening.normal, links);
+  if (boundary.kind == BoundaryKind::velocity && placed.side) {
+    // the mean velocity times the true area: the links at a corner count half
+    double const share = open_area(scene, s.derived, patch) /
+                         lbm::opening_area(s.fluid, links, opening.opening.normal);
+    for (lbm::Link& l : links) l.weight *= static_cast<float>(share);
+  }
   opening.links = links;
   lbm::upload(opening.opening.links, opening.links);
   int const longest = std::max({s.fluid.nx, s.fluid.ny, s.fluid.nz});

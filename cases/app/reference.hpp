@@ -67,7 +67,7 @@ std::vector<core::Figure> compare_points(ReferenceData const& data, Result const
 /// viscosity_error from the decay of the amplitude.
 std::vector<core::Figure> compare_taylor_green(Result const& result);
 /// Hagen-Poiseuille flow u = g (R^2 - r^2) / 4 nu: error_l2 over the section, error_max over the
-/// velocity on the axis. In space the axis is the middle line of the box.
+/// velocity on the axis. The axis is y = z = 0.
 std::vector<core::Figure> compare_pipe(Result const& result);
 /// Coefficients 2 F / (rho U^2 A), A = L per depth or pi L^2/4, at the end or, where the lift
 /// oscillates, over its last periods with the Strouhal number L/(U T); the pressure difference at

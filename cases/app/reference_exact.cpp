@@ -64,11 +64,9 @@ std::vector<core::Figure> compare_pipe(Result const& r)
   double const R = r.scene.reference->length;
   double const top = r.scene.fluid.body_force[0] * R * R / (4 * r.scene.fluid.viscosity);
   bool const space = dimensions(r.scene) == 3;
-  auto const& lattice = r.scene.lattice;
-  Vec3 const middle = space ? 0.5 * (lattice.from + lattice.to) : Vec3{};
   Deviation deviation;
   each_fluid_cell(r, [&](Vec3 const& p, Vec3 const& u) {
-    double const s = std::hypot(p[1] - middle[1], p[2] - middle[2]) / R;
+    double const s = std::hypot(p[1], p[2]) / R;
     // a ring of the meridional plane stands for the more area the farther out it is
     if (s < 1) deviation.add(space ? 1 : s, u, {top * (1 - s * s), 0, 0});
   });
