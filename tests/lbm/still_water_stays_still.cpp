@@ -1,12 +1,12 @@
 // problem:   small motions of still water in closed boxes whose walls stand at any distance q from
 //            the last cells: in the plane and about an axis 60 cells long with a wall along it, in
 //            space a box around a sphere off the lattice; tau - 1/2 of 1e-5 and 1e-2; bores of 0.7
-//            to 3.5 cells about the axis
+//            to 3.5 cells about the axis, 1e-4 and 1e-2
 // reference: a closed box feeds no motion: no eigenvalue of a step is larger than 1, that of the
 //            mass
 // measure:   the largest modulus of an eigenvalue of the program's own step about rest, by the
-//            method of Arnoldi on 600 steps at once, 200 in space (tests/support/growth.hpp)
-// tolerance: 1e-9 a step in the plane and about the axis, 1e-7 in space, and what the residual of
+//            method of Arnoldi on 200 to 4000 steps at once (tests/support/growth.hpp)
+// tolerance: 1e-12 a step in bores; 1e-9 in the plane and about the axis, 1e-7 in space, and what the residual of
 //            the eigenvector leaves open, at most 2e-6 a step: at tau - 1/2 = 1e-5 many
 //            modes hardly decay and lie closer together than the iteration tells apart (of 1 + 6e-7
 //            by 200 steps at once 2000 leave 1 + 7e-10); collisions that are not offered as stable
@@ -38,7 +38,7 @@ tests::Growth in_box(Collision collision, core::Symmetry symmetry, double d, dou
   auto flow = tests::make_flow(
       lbm::make_fluid<double>(nx, ny, {0, 0}, symmetry, lbm::Model{collision, d / 3}),
       core::box({-100, ny - 1.5 + q}, {1000, 1000}), [](lbm::WallHit const&) { return -1; });
-  return tests::growth(flow, 600);
+  return tests::growth(flow, d < 1e-3 ? 1200 : 200);
 }
 
 /// A tube about the axis, closed at both ends; its radius in cells.
@@ -49,7 +49,7 @@ tests::Growth in_bore(Collision collision, double d, double radius)
                                                        lbm::Model{collision, d / 3}),
                                core::box({-100, radius}, {1000, 1000}),
                                [](lbm::WallHit const&) { return -1; });
-  return tests::growth(flow, 600);
+  return tests::growth(flow, 4000);
 }
 
 template <class L>
@@ -90,9 +90,9 @@ TEST_P(StillWater, StaysStillAboutAnAxis)
 
 TEST_P(StillWater, StaysStillInNarrowBores)
 {
-  for (double d : {1e-5, 1e-4, 1e-2})
-    for (double radius : {0.7, 1.0, 1.3, 1.45, 1.4999, 1.5, 1.7, 2.2, 2.4999, 2.8, 3.4999})
-      expect_no_growth(in_bore(GetParam(), d, radius), round_off, d, radius);
+  for (double d : {1e-4, 1e-2})
+    for (double radius : {0.7, 1.3, 1.45, 1.4999, 1.7, 2.2, 2.4999, 3.4999})
+      EXPECT_LE(in_bore(GetParam(), d, radius).per_step - 1, 1e-12) << d << ' ' << radius;
 }
 
 class LongStillWater : public testing::TestWithParam<Collision> {};
