@@ -18,47 +18,27 @@
 namespace velum::tests {
 namespace {
 
+/// The shipped slit with a uniform inflow, 10 heights long.
 /// @param offset  of the walls against the cells, cells
-std::string slit(int cells, double offset)
+core::Summary slit(int cells, double offset)
 {
   double const dx = 25, low = offset * dx, high = low + cells * dx, middle = (low + high) / 2;
-  return fmt::format(R"(name = "slit"
-fidelity = "planar"
-[lattice]
-dx = "25 um"
-from = ["0 um", "-50 um"]
-to = ["{0} um", "{1} um"]
-time_step = "1 us"
-[fluid]
-density = "1000 kg/m3"
-viscosity = "1e-6 m2/s"
-[les]
-model = "off"
-[solid.floor]
-shape = "box"
-from = ["-100 um", "-100 um"]
-to = ["9000 um", "{2} um"]
-[solid.ceiling]
-shape = "box"
-from = ["-100 um", "{3} um"]
-to = ["9000 um", "{4} um"]
-[inlet]
-kind = "flow_rate"
-flow_rate = "0.2 mm2/s"
-patches = [{{ side = "x-", from = "{2} um", to = "{3} um" }}]
-[outlet]
-kind = "pressure"
-pressure = "0 Pa"
-patches = [{{ side = "x+", from = "{2} um", to = "{3} um" }}]
-[probe.friction]
-kind = "pressure_difference"
-from = ["{5} um", "{7} um"]
-to = ["{6} um", "{7} um"]
-[run]
-end = "40 ms"
-)",
-                     10 * cells * dx, (cells + 3) * dx, low, high, high + 100, 5 * cells * dx,
-                     8 * cells * dx, middle);
+  auto const point = [](double x, double y) { return fmt::format("[{} um, {} um]", x, y); };
+  auto const patch = [&](char const* side) {
+    return fmt::format("[{{ side = \"{}\", from = \"{} um\", to = \"{} um\" }}]", side, low, high);
+  };
+  std::vector<std::string> const set = {"lattice.from=" + point(0, -50),
+                                        "lattice.to=" + point(10 * cells * dx, (cells + 3) * dx),
+                                        "solid.floor.from=" + point(-100, -100),
+                                        "solid.floor.to=" + point(9000, low),
+                                        "solid.ceiling.from=" + point(-100, high),
+                                        "solid.ceiling.to=" + point(9000, high + 100),
+                                        "inlet.patches=" + patch("x-"),
+                                        "outlet.patches=" + patch("x+"),
+                                        "probe.friction.from=" + point(5 * cells * dx, middle),
+                                        "probe.friction.to=" + point(8 * cells * dx, middle)};
+  return cases::march_fluid(cases::read_scene("cases/slit/scene.toml", set),
+                            {.out = {}, .quiet = true});
 }
 
 TEST(Inflow, BesideWallsBetweenCellsArrives)
@@ -66,8 +46,7 @@ TEST(Inflow, BesideWallsBetweenCellsArrives)
   for (int cells : {4, 8})
     for (double offset : {0.0, 0.2, 0.4, 0.5, 0.6, 0.8}) {
       SCOPED_TRACE(fmt::format("{} cells, walls at {}", cells, offset));
-      auto const run =
-          cases::march_fluid(read_text(slit(cells, offset)), {.out = {}, .quiet = true});
+      auto const run = slit(cells, offset);
       double const outflow = -figure(run, "outlet_1_flow") / 0.2e-6, h = cells * 25e-6;
       double const friction = 12 * 1e-3 * 0.2e-6 / std::pow(h, 3) * 3 * h;
       double const strip = offset == 0.5 ? 0.5 / cells : 0;  // 2 (3 s^2 - 2 s^3) of the flow
