@@ -41,9 +41,12 @@ function(velum_precompile target)
   if(Kokkos_ENABLE_CUDA OR Kokkos_ENABLE_HIP)
     return()  # their compilers take no precompiled header of another language mode
   endif()
-  target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/SparseCore> <Kokkos_Core.hpp>
-    <fmt/format.h> <filesystem> <fstream> <functional> <map> <memory> <optional> <sstream> <string>
-    <vector> ${ARGN})
+  set(eigen <Eigen/Core> <Eigen/SparseCore>)
+  if(target MATCHES "^velum_(core|lbm|contact)$")
+    set(eigen)  # these rooms do not have it
+  endif()
+  target_precompile_headers(${target} PRIVATE ${eigen} <Kokkos_Core.hpp> <fmt/format.h> <filesystem>
+    <fstream> <functional> <map> <memory> <optional> <sstream> <string> <vector> ${ARGN})
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # Behind a precompiled header GCC 12 sees overflows in small strings, as in GCC bug 105651.
     target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-array-bounds)
@@ -61,4 +64,5 @@ function(velum_library folder)
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/velum>")
   target_link_libraries(velum_${folder} PUBLIC ${ARGN})
   velum_compile_options(velum_${folder})
+  velum_precompile(velum_${folder})
 endfunction()
